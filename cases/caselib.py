@@ -1,0 +1,122 @@
+"""What the runner, the cases' checks and the tests share: where things are, how MPI is started, how results are read.
+
+A check is a script cases/NAME/check that is called with the folder of a finished run:
+
+    run = caselib.Run(sys.argv[1])
+    table = caselib.Table()
+    table.at_most("divergence", run.thermo()[-1]["water[3]"], 1e-10)
+    table.finish("slip error", slip)
+"""
+
+import csv
+import json
+import os
+import re
+import sys
+from pathlib import Path
+
+CASES = Path(__file__).resolve().parent
+RUN_FILE = "run.json"
+
+
+def program():
+    """The built program, or None. SWELLFLOW_PROGRAM names another build."""
+    path = Path(os.environ.get("SWELLFLOW_PROGRAM", CASES.parent / "build" / "coupling" / "swellflow"))
+    return path if path.exists() else None
+
+
+def mpi_environment(grace=5):
+    """Root may run; ranks may outnumber cores, so an idle one yields and none is bound. `grace`: the seconds that ranks
+    have to save their state between a signal and their end; mpirun waits as long after every error."""
+    return {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+            "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
+            "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_odls_base_sigkill_timeout": str(grace),
+            "OMP_NUM_THREADS": "1"}
+
+
+def case_names():
+    return sorted(path.parent.name for path in CASES.glob("*/in.*") if path.name == "in." + path.parent.name)
+
+
+class Case:
+    def __init__(self, name):
+        self.name = name
+        self.folder = CASES / name
+        self.script = self.folder / f"in.{name}"
+
+    def declared_variables(self):
+        """What -var can set: {name: default}, in the script's order."""
+        pattern = re.compile(r"^\s*variable\s+(\S+)\s+index\s+([^#\n]*)", re.M)
+        return {name: default.strip() for name, default in pattern.findall(self.script.read_text())}
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def read_csv(path):
+    """Rows as dictionaries by column, numbers as floats; lines that start with # are left out."""
+    with open(path) as file:
+        return [{key: number(value) for key, value in row.items()}
+                for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+
+
+def read_thermo(log):
+    """All thermo rows of a log in order, as dictionaries by column. Needs `thermo_style custom` or one."""
+    rows, columns = [], None
+    for line in Path(log).read_text(errors="replace").splitlines():
+        words = line.split()
+        if words[:1] == ["Step"]:
+            columns = words
+        elif columns and len(words) == len(columns) and all(isinstance(number(word), float) for word in words):
+            rows.append(dict(zip(columns, map(float, words))))
+        elif line.startswith("Loop time"):
+            columns = None
+    return rows
+
+
+class Run:
+    """A finished run of a case: .folder, .case, .ranks, .variables (defaults and -var), .reference (rows of reference.csv)."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder).absolute()
+        record = json.loads((self.folder / RUN_FILE).read_text())
+        self.case = Case(record["case"])
+        self.ranks = record["ranks"]
+        self.variables = {name: number(value) for name, value in record["variables"].items()}
+        reference = self.case.folder / "reference.csv"
+        self.reference = read_csv(reference) if reference.exists() else []
+
+    def thermo(self):
+        return read_thermo(self.folder / "log.liggghts")
+
+
+class Table:
+    """What a check found: one line a condition, then the figure; ends the script, non-zero when a condition failed."""
+
+    def __init__(self):
+        self.failed = 0
+
+    def line(self, name, value, condition, good):
+        self.failed += not good
+        print(f"{'ok  ' if good else 'FAIL'}  {name}: {value:.6g}  ({condition})")
+
+    def at_most(self, name, value, limit):
+        self.line(name, value, f"at most {limit:g}", value <= limit)
+
+    def at_least(self, name, value, limit):
+        self.line(name, value, f"at least {limit:g}", value >= limit)
+
+    def within(self, name, value, low, high):
+        self.line(name, value, f"{low:g} to {high:g}", low <= value <= high)
+
+    def near(self, name, value, expected, relative):
+        self.within(name, value, expected - abs(expected) * relative, expected + abs(expected) * relative)
+
+    def finish(self, name, value):
+        verdict = f"{self.failed} of the conditions failed" if self.failed else "all conditions hold"
+        print(f"{verdict}; {name} = {value:.6g}" if isinstance(value, float) else f"{verdict}; {name} = {value}")
+        sys.exit(1 if self.failed else 0)

@@ -1,0 +1,82 @@
+// Takes records from each rank to the ranks that they are meant for, and answers back.
+#pragma once
+
+#include <mpi.h>
+
+#include <numeric>
+#include <type_traits>
+#include <vector>
+
+namespace swellflow {
+
+/// LIGGGHTS' decomposition and the fluid's slabs are independent of each other, so any rank may have something for any other; only pairs that have
+/// something exchange messages.
+class Courier {
+public:
+  explicit Courier(MPI_Comm comm) : comm_(comm)
+  {
+    MPI_Comm_size(comm, &ranks_);
+    for (auto *counts : {&sent_, &received_, &sent_start_, &received_start_}) counts->assign(ranks_ + 1, 0);
+    requests_.reserve(2 * ranks_);
+  }
+
+  /// records[i] goes to rank to[i]; those that arrive stand in the order of their senders. Collective.
+  template <class T> void deliver(const std::vector<T> &records, const std::vector<int> &to, std::vector<T> &arrived)
+  {
+    sort_by_rank(to);
+    sorted_bytes_.resize(records.size() * sizeof(T));
+    T *sorted = reinterpret_cast<T *>(sorted_bytes_.data());
+    for (std::size_t i = 0; i < records.size(); ++i) sorted[place_[i]] = records[i];
+    MPI_Alltoall(sent_.data(), 1, MPI_INT, received_.data(), 1, MPI_INT, comm_);
+    std::exclusive_scan(received_.begin(), received_.end(), received_start_.begin(), 0);
+    arrived.resize(received_start_[ranks_]);
+    exchange(sorted, sent_, sent_start_, arrived.data(), received_, received_start_);
+  }
+
+  /// answers[i] belongs to arrived[i] of the last delivery; back[i] is the answer to records[i]. Collective.
+  template <class T> void reply(const std::vector<T> &answers, std::vector<T> &back)
+  {
+    sorted_bytes_.resize(place_.size() * sizeof(T));
+    T *sorted = reinterpret_cast<T *>(sorted_bytes_.data());
+    exchange(answers.data(), received_, received_start_, sorted, sent_, sent_start_);
+    back.resize(place_.size());
+    for (std::size_t i = 0; i < place_.size(); ++i) back[i] = sorted[place_[i]];
+  }
+
+private:
+  void sort_by_rank(const std::vector<int> &to)
+  {
+    std::fill(sent_.begin(), sent_.end(), 0);
+    for (int rank : to) ++sent_[rank];
+    std::exclusive_scan(sent_.begin(), sent_.end(), sent_start_.begin(), 0);
+    next_ = sent_start_;
+    place_.resize(to.size());
+    for (std::size_t i = 0; i < to.size(); ++i) place_[i] = next_[to[i]]++;
+  }
+
+  template <class T>
+  void exchange(const T *out, const std::vector<int> &n_out, const std::vector<int> &out_start, T *in, const std::vector<int> &n_in,
+                const std::vector<int> &in_start)
+  {
+    static_assert(std::is_trivially_copyable_v<T>);
+    requests_.clear();
+    for (int r = 0; r < ranks_; ++r)
+      if (n_in[r] > 0) MPI_Irecv(in + in_start[r], n_in[r] * static_cast<int>(sizeof(T)), MPI_BYTE, r, 0, comm_, new_request());
+    for (int r = 0; r < ranks_; ++r)
+      if (n_out[r] > 0) MPI_Isend(out + out_start[r], n_out[r] * static_cast<int>(sizeof(T)), MPI_BYTE, r, 0, comm_, new_request());
+    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+  }
+  MPI_Request *new_request()
+  {
+    requests_.push_back(MPI_REQUEST_NULL);
+    return &requests_.back();
+  }
+
+  MPI_Comm comm_;
+  int ranks_ = 1;
+  std::vector<int> sent_, received_, sent_start_, received_start_, next_, place_;
+  std::vector<unsigned char> sorted_bytes_;
+  std::vector<MPI_Request> requests_;
+};
+
+}  // namespace swellflow

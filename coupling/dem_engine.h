@@ -1,0 +1,40 @@
+// LIGGGHTS' points as the coupling sees them, through the library interface.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <string>
+
+namespace swellflow {
+
+/// Pointers into LIGGGHTS' own memory: it moves when atoms migrate, so `refresh` before each use.
+class DemEngine {
+public:
+  explicit DemEngine(void *lammps) : lammps_(lammps) {}
+
+  /// Throws std::runtime_error when a per-atom vector is not there.
+  void refresh();
+
+  int n_own() const { return n_own_; }
+  bool owns(int i) const { return i < n_own_; }
+  double time_step() const;
+  MPI_Comm communicator() const;
+  std::array<double, 3> box_low() const { return corner("boxxlo", "boxylo", "boxzlo"); }
+  std::array<double, 3> box_high() const { return corner("boxxhi", "boxyhi", "boxzhi"); }
+
+  // Own points and ghosts, but for the last three: own points only.
+  double **x = nullptr, **v = nullptr, *mass = nullptr;
+  double **object_point = nullptr;   ///< columns: FixObjects::Column
+  double **carried = nullptr;        ///< columns: FluidCarried
+  double **law = nullptr, **impulse = nullptr, **state = nullptr;  ///< columns: FluidLaw, FluidImpulse, FluidState
+
+private:
+  double **per_atom(const char *id) const;
+  std::array<double, 3> corner(const char *x, const char *y, const char *z) const;
+
+  void *lammps_;
+  int n_own_ = 0;
+};
+
+}  // namespace swellflow

@@ -1,0 +1,40 @@
+// Input command that makes objects in bulk: one, a lattice, or a file of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "object_list.h"
+#include "objects/overlap.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+class CreateObjects : protected Pointers {
+ public:
+  explicit CreateObjects(class LAMMPS *lmp) : Pointers(lmp) {}
+  void command(int narg, char **arg);
+
+ private:
+  /// An atom that this rank made: point `index` (-1 hub) of objects_[object].
+  struct OwnPoint {
+    int object, index;
+  };
+
+  void require_settings() const;
+  std::string whole_file(const std::string &name) const;
+  void check_place(const swellflow::NewObject &object) const;
+  void check_overlap() const;
+  std::vector<swellflow::Circle> existing_circles() const;
+  swellflow::PlaneBox box() const;
+
+  void create();
+  void create_point(int object, int index, int tag, int molecule);
+  void describe_points(int first) const;
+  void publish(int n_points) const;
+
+  std::vector<swellflow::NewObject> objects_;
+  std::vector<OwnPoint> own_points_;
+};
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,91 @@
+#include "fix_nve_cds.h"
+
+#include <optional>
+
+#include "atom.h"
+#include "fix_objects.h"
+#include "fix_property_atom.h"
+#include "fluid_columns.h"
+#include "force.h"
+#include "modify.h"
+#include "options.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using swellflow::FluidImpulse;
+using swellflow::FluidLaw;
+
+FixNveCds::FixNveCds(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), law_(nullptr), impulse_(nullptr), objects_(nullptr)
+{
+  swellflow::or_stop(lmp, [&] {
+    swellflow::Arguments line(std::string("fix ") + id + " nve/cds", narg - 3, arg + 3);
+    swellflow::Options(line.place()).parse(line);
+  });
+  time_integrate = 1;
+}
+
+int FixNveCds::setmask() { return INITIAL_INTEGRATE | FINAL_INTEGRATE; }
+
+void FixNveCds::init()
+{
+  const auto find = [this](const char *name) {
+    return static_cast<FixPropertyAtom *>(modify->find_fix_property(name, "property/atom", "vector", 0, 0, style, false));
+  };
+  law_ = find(FluidLaw::NAME);
+  impulse_ = find(FluidImpulse::NAME);
+  objects_ = find_objects(lmp);
+}
+
+void FixNveCds::initial_integrate(int)
+{
+  kick_half_a_step();
+  drift_a_step();
+}
+
+void FixNveCds::final_integrate() { kick_half_a_step(); }
+
+/* ---------------------------------------------------------------------- */
+
+double FixNveCds::mass_of(int i) const { return atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]]; }
+
+void FixNveCds::kick_half_a_step()
+{
+  std::optional<swellflow::StepClock::Scope> timing;
+  if (objects_) timing.emplace(objects_->clock(), swellflow::StepClock::integration);
+  const double half_step = 0.5 * update->dt * force->ftm2v;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (law_ && impulse_)
+      kick_in_fluid(i, half_step, mass_of(i), law_->array_atom[i], impulse_->array_atom[i]);
+    else
+      kick(i, half_step, mass_of(i));
+  }
+}
+
+void FixNveCds::kick(int i, double half_step, double mass)
+{
+  for (int d = 0; d < 3; d++) atom->v[i][d] += half_step * atom->f[i][d] / mass;
+}
+
+/* ----------------------------------------------------------------------
+   m (v' - v) = dt/2 (f + a - kappa v'), the fluid's part summed up
+------------------------------------------------------------------------- */
+
+void FixNveCds::kick_in_fluid(int i, double half_step, double mass, const double *law, double *impulse)
+{
+  const double kappa = law[FluidLaw::KAPPA], *a = law + FluidLaw::A_X;
+  double *v = atom->v[i];
+  for (int d = 0; d < 3; d++) {
+    v[d] = (mass * v[d] + half_step * (atom->f[i][d] + a[d])) / (mass + half_step * kappa);
+    impulse[d] += 0.5 * update->dt * (a[d] - kappa * v[d]);
+  }
+}
+
+void FixNveCds::drift_a_step()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit)
+      for (int d = 0; d < 3; d++) atom->x[i][d] += update->dt * atom->v[i][d];
+}

@@ -1,0 +1,168 @@
+#include "fix_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "force.h"
+#include "modify.h"
+#include "progress_line.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+/* ---------------------------------------------------------------------- */
+
+FixObjects::FixObjects(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), property_(nullptr), ghost_reach_(0.0), progress_(new ProgressLine(lmp))
+{
+  if (strcmp(id, ID) != 0)
+    error->fix_error(FLERR, this, "this fix is made by create_objects, under the id 'objects': remove it from the script");
+  nevery = 1;
+  radius_cap_.assign(atom->ntypes + 1, 0.0);
+}
+
+FixObjects::~FixObjects() = default;
+
+int FixObjects::setmask()
+{
+  return PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP;
+}
+
+void FixObjects::post_create()
+{
+  const int found = modify->find_fix(PROPERTY);
+  if (found < 0) {
+    const char *start[] = {PROPERTY, "all", "property/atom", PROPERTY, "vector", "yes", "yes", "no"};
+    std::vector<char *> arguments;
+    for (const char *word : start) arguments.push_back(const_cast<char *>(word));
+    arguments.resize(arguments.size() + N_COLUMNS, const_cast<char *>("0"));
+    modify->add_fix(arguments.size(), arguments.data());
+    // LIGGGHTS would write the zeros again at the first run.
+    modify->fix[modify->find_fix(PROPERTY)]->just_created = 0;
+  }
+  property_ = static_cast<FixPropertyAtom *>(modify->fix[modify->find_fix(PROPERTY)]);
+}
+
+void FixObjects::init()
+{
+  const int found = modify->find_fix(PROPERTY);
+  if (found < 0)
+    error->fix_error(FLERR, this, "fix 'object_point' holds what the objects are, but is gone: remove 'unfix object_point'");
+  property_ = static_cast<FixPropertyAtom *>(modify->fix[found]);
+  // Without contacts there is no cut-off, and LIGGGHTS cannot choose the bins in which it sorts atoms.
+  if (!force->pair) atom->sortfreq = 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double **FixObjects::points() const { return property_->array_atom; }
+
+int FixObjects::own_index(int i) const
+{
+  if (i < atom->nlocal) return i;
+  const int own = atom->map(atom->tag[i]);  // an own atom comes before its images
+  return own < atom->nlocal ? own : -1;
+}
+
+bool FixObjects::owns(const swellflow::ObjectPoints &object) const { return own_index(object.hub) >= 0; }
+
+int FixObjects::tag_of_hub(int i) const { return atom->tag[i] - 1 - static_cast<int>(points()[i][INDEX]); }
+
+bool FixObjects::current() const
+{
+  for (const auto &object : objects_) {
+    const int last = object.ring[object.n_ring - 1];
+    if (std::max(object.hub, last) >= atom->nlocal + atom->nghost) return false;
+    if (!is_point(object.hub) || points()[object.hub][INDEX] != -1.0) return false;
+    if (atom->tag[last] != atom->tag[object.hub] + object.n_ring) return false;
+  }
+  return !objects_.empty();
+}
+
+/* ----------------------------------------------------------------------
+   the own point that stands for its object on this rank: the hub, or the
+   first ring point where another rank owns the hub
+------------------------------------------------------------------------- */
+
+bool FixObjects::represents_its_object(int i) const
+{
+  const auto is_own = [this](int tag) { const int own = atom->map(tag); return own >= 0 && own < atom->nlocal; };
+  const int index = static_cast<int>(points()[i][INDEX]), hub_tag = tag_of_hub(i);
+  if (index < 0) return true;
+  if (is_own(hub_tag)) return false;
+  for (int k = 0; k < index; k++)
+    if (is_own(hub_tag + 1 + k)) return false;
+  return true;
+}
+
+/* ----------------------------------------------------------------------
+   hub and ring of the object of own point i, as the images near it
+------------------------------------------------------------------------- */
+
+bool FixObjects::find_points(int i, int &hub, int *ring) const
+{
+  const int n = static_cast<int>(points()[i][RING_POINTS]), hub_tag = tag_of_hub(i);
+  hub = domain->closest_image(i, atom->map(hub_tag));
+  if (hub < 0) return false;
+  for (int k = 0; k < n; k++) {
+    ring[k] = domain->closest_image(hub, atom->map(hub_tag + 1 + k));
+    if (ring[k] < 0) return false;
+  }
+  return true;
+}
+
+void FixObjects::list_objects()
+{
+  objects_.clear();
+  ring_indices_.clear();
+  std::vector<std::size_t> first_ring_point;
+  int lost = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!is_point(i) || !represents_its_object(i)) continue;
+    const int n = static_cast<int>(points()[i][RING_POINTS]);
+    int hub = -1;
+    ring_indices_.resize(ring_indices_.size() + n);
+    first_ring_point.push_back(ring_indices_.size() - n);
+    if (!find_points(i, hub, &ring_indices_[first_ring_point.back()])) lost = std::max(lost, atom->molecule[i]);
+    objects_.push_back({.hub = hub, .ring = nullptr, .n_ring = n});
+  }
+  for (std::size_t k = 0; k < objects_.size(); k++) objects_[k].ring = &ring_indices_[first_ring_point[k]];
+
+  int lost_anywhere = 0;
+  MPI_Allreduce(&lost, &lost_anywhere, 1, MPI_INT, MPI_MAX, world);
+  if (lost_anywhere) {
+    const std::string message = "an object must keep all its points, but object (molecule) " + std::to_string(lost_anywhere) +
+                                " has lost one: a point left the box or was deleted; use walls, a shorter time step, or delete whole molecules";
+    error->fix_error(FLERR, this, message.c_str());
+  }
+}
+
+void FixObjects::setup_pre_neighbor() { pre_neighbor(); }
+
+void FixObjects::pre_neighbor()
+{
+  // Ghosts are new: LIGGGHTS has not yet told them what they are.
+  property_->do_forward_comm();
+  list_objects();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixObjects::setup(int) { progress_->start(clock_); }
+void FixObjects::end_of_step() { progress_->step(clock_); }
+void FixObjects::post_run() { progress_->finish(clock_); }
+
+/* ---------------------------------------------------------------------- */
+
+FixObjects *LAMMPS_NS::find_objects(LAMMPS *lmp)
+{
+  const int found = lmp->modify->find_fix(FixObjects::ID);
+  return found < 0 ? nullptr : dynamic_cast<FixObjects *>(lmp->modify->fix[found]);
+}

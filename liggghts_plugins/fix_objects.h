@@ -1,0 +1,102 @@
+// The internal fix that knows which atoms are points of which object, on this rank, and keeps LIGGGHTS' cut-offs wide
+// enough for objects that grow. create_objects makes it, or the first of our fixes after a read_restart.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fix.h"
+#include "fluid_partner.h"
+#include "step_clock.h"
+
+namespace LAMMPS_NS {
+
+class FixPropertyAtom;
+class ProgressLine;
+
+class FixObjects : public Fix {
+ public:
+  /// Columns of the per-atom vector `object_point`; all are zero for an atom that is not a point of an object.
+  enum Column {
+    RING_POINTS,       // N; 0 marks all other atoms
+    INDEX,             // -1 hub, 0 .. N-1 ring, counter-clockwise
+    DIAMETER,          // natural diameter at creation
+    SPOKE_LENGTH,      // natural length of the spoke to the hub at lambda = 1, ring points only
+    RING_LENGTH,       // natural length to the next ring point at lambda = 1, ring points only
+    CDS_RADIUS,        // at lambda = 1
+    MASS,              // at lambda = 1
+    LAMBDA,            // natural swelling ratio
+    START_DIAMETER,    // natural diameter when the present swelling law began; 0: none has
+    START_TIME,        // that law's clock then
+    N_COLUMNS
+  };
+  static constexpr const char *ID = "objects";
+  static constexpr const char *PROPERTY = "object_point";
+
+  FixObjects(class LAMMPS *, int, char **);
+  ~FixObjects() override;
+
+  int setmask() override;
+  void post_create() override;
+  void init() override;
+  void setup_pre_exchange() override;
+  void setup_pre_neighbor() override;
+  void setup(int) override;
+  void pre_exchange() override;
+  void pre_neighbor() override;
+  void end_of_step() override;
+  void post_run() override;
+  double max_rad(int type) override;
+  // For atoms with a radius LIGGGHTS sends only what lies within half of this (plus radius and skin) of a border.
+  double extend_cut_ghost() override { return 2.0 * ghost_reach_; }
+
+  /// All objects with an own point on this rank. Indices may be ghosts: for each object, of the image that is nearest to
+  /// one of its own points. Valid from the reneighbouring of a step until the next.
+  const std::vector<swellflow::ObjectPoints> &objects() const { return objects_; }
+  /// Whether this rank is the one that counts and writes this object.
+  bool owns(const swellflow::ObjectPoints &object) const;
+  /// The own atom that is the same point as atom `i` (own or ghost), or -1 when another rank owns it.
+  int own_index(int i) const;
+  /// The columns above, for own and ghost atoms. May move when atoms migrate: take it anew each step.
+  double **points() const;
+  bool is_point(int i) const { return points()[i][RING_POINTS] > 0.0; }
+  /// Whether objects() agrees with LIGGGHTS' arrays: not before the first run, nor after a command has moved atoms about.
+  bool current() const;
+  /// Error when a group holds some points of an object but not all. Collective, after the first neighbouring.
+  void require_whole_objects(const Fix &asking) const;
+
+  swellflow::StepClock &clock() { return clock_; }
+
+ private:
+  int tag_of_hub(int i) const;
+  bool represents_its_object(int i) const;
+  bool find_points(int i, int &hub, int *ring) const;
+  void list_objects();
+  void require_exclusion();
+  double widest_own_object() const;
+  double widest_unwrapped_object() const;
+  bool widen_cutoffs(double widest_object);
+  bool raise_radius_caps();
+  void renew_neighbor_lists();
+
+  FixPropertyAtom *property_;
+  std::vector<swellflow::ObjectPoints> objects_;
+  std::vector<int> ring_indices_;
+  std::vector<double> radius_cap_;  // per type, what max_rad returns
+  double ghost_reach_;
+  swellflow::StepClock clock_;
+  std::unique_ptr<ProgressLine> progress_;
+};
+
+/// The internal fix, or null when a scene has no objects.
+FixObjects *find_objects(class LAMMPS *);
+/// The internal fix, made when it is missing. Collective.
+FixObjects *make_objects(class LAMMPS *);
+/// For a fix that works on objects: the internal fix, made anew when a restart file brought the objects; a LIGGGHTS error
+/// that names `asking` when there are none. To be called in post_create. Collective.
+FixObjects *require_objects(class LAMMPS *, const Fix &asking);
+/// Rule, value and remedy of the first setting that forbids objects, or nothing.
+std::string why_no_objects(class LAMMPS *);
+
+}  // namespace LAMMPS_NS

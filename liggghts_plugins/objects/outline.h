@@ -1,0 +1,54 @@
+// What the outline of an object says of its size and shape; free of LIGGGHTS.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "disk.h"
+
+namespace swellflow {
+
+struct OutlineShape {
+  double area = 0.0;          ///< signed: negative when the outline is turned inside out
+  double aspect_ratio = 1.0;  ///< of the ellipse with the same second moments, >= 1
+  Vector2 centroid = Vector2::Zero();
+};
+
+/// Shape of the closed polygon through `ring`, counter-clockwise, positions relative to any nearby point.
+inline OutlineShape outline_shape(const std::vector<Vector2> &ring)
+{
+  double A = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
+  Vector2 centroid = Vector2::Zero();
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Vector2 &p = ring[k], &q = ring[k + 1 < ring.size() ? k + 1 : 0];
+    const double cross = p.x() * q.y() - q.x() * p.y();
+    A += cross / 2.0;
+    centroid += cross / 6.0 * (p + q);
+    xx += cross / 12.0 * (p.x() * p.x() + p.x() * q.x() + q.x() * q.x());
+    yy += cross / 12.0 * (p.y() * p.y() + p.y() * q.y() + q.y() * q.y());
+    xy += cross / 24.0 * (2.0 * p.x() * p.y() + p.x() * q.y() + q.x() * p.y() + 2.0 * q.x() * q.y());
+  }
+  if (A == 0.0) return {};
+  centroid /= A;
+  xx = xx / A - centroid.x() * centroid.x();
+  yy = yy / A - centroid.y() * centroid.y();
+  xy = xy / A - centroid.x() * centroid.y();
+  const double mean = 0.5 * (xx + yy), spread = std::hypot(0.5 * (xx - yy), xy);
+  const double smallest = std::max(mean - spread, 1e-300);
+  return {.area = A, .aspect_ratio = std::sqrt(std::max(mean + spread, smallest) / smallest), .centroid = centroid};
+}
+
+/// Area of the regular polygon with its points on a circle of this diameter.
+inline double regular_polygon_area(int points, double diameter)
+{
+  return points * diameter * diameter / 8.0 * std::sin(2.0 * std::numbers::pi / points);
+}
+
+/// Diameter of the regular polygon of this area, so that an undeformed ring gives its own diameter.
+inline double diameter_of_area(int points, double area)
+{
+  return std::sqrt(std::max(area, 0.0) / regular_polygon_area(points, 1.0));
+}
+
+}  // namespace swellflow

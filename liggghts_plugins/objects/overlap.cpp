@@ -1,0 +1,95 @@
+#include "overlap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swellflow {
+
+namespace {
+
+constexpr double touching = 1e-9;  ///< of the sum of the radii: round-off, not overlap
+
+/// Square cells at least one largest diameter wide, so that all partners lie in a cell's eight neighbours or in itself.
+class Cells {
+public:
+  Cells(const std::vector<Circle> &circles, const PlaneBox &box) : box_(box)
+  {
+    double widest = 0.0;
+    for (const Circle &circle : circles) widest = std::max(widest, 2.0 * circle.radius);
+    const double coarsest = std::sqrt(box.length().prod() / (circles.size() + 1.0));
+    for (int d = 0; d < 2; ++d) n_[d] = std::max(1, static_cast<int>(box.length()[d] / std::max(widest, coarsest)));
+    members_.resize(static_cast<std::size_t>(n_[0]) * n_[1]);
+    for (std::size_t i = 0; i < circles.size(); ++i) members_[cell(circles[i].centre)].push_back(static_cast<int>(i));
+  }
+
+  template <typename Visit>
+  void visit_around(const Vector2 &x, const Visit &visit) const
+  {
+    const std::array<int, 2> c = position(x);
+    std::vector<std::size_t> seen;  // a direction with fewer than three cells would meet one twice
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        std::array<int, 2> at{c[0] + i, c[1] + j};
+        if (!wrap(at)) continue;
+        const std::size_t index = static_cast<std::size_t>(at[1]) * n_[0] + at[0];
+        if (std::find(seen.begin(), seen.end(), index) != seen.end()) continue;
+        seen.push_back(index);
+        for (int member : members_[index]) visit(member);
+      }
+  }
+
+private:
+  std::array<int, 2> position(const Vector2 &x) const
+  {
+    std::array<int, 2> at;
+    for (int d = 0; d < 2; ++d) {
+      const double part = (x[d] - box_.low[d]) / box_.length()[d];
+      const double inside = box_.periodic[d] ? part - std::floor(part) : part;
+      at[d] = std::clamp(static_cast<int>(inside * n_[d]), 0, n_[d] - 1);
+    }
+    return at;
+  }
+  std::size_t cell(const Vector2 &x) const
+  {
+    const std::array<int, 2> at = position(x);
+    return static_cast<std::size_t>(at[1]) * n_[0] + at[0];
+  }
+  bool wrap(std::array<int, 2> &at) const
+  {
+    for (int d = 0; d < 2; ++d) {
+      if (box_.periodic[d]) at[d] = (at[d] + n_[d]) % n_[d];
+      if (at[d] < 0 || at[d] >= n_[d]) return false;
+    }
+    return true;
+  }
+
+  const PlaneBox &box_;
+  std::array<int, 2> n_;
+  std::vector<std::vector<int>> members_;
+};
+
+}  // namespace
+
+Vector2 PlaneBox::difference(const Vector2 &a, const Vector2 &b) const
+{
+  Vector2 d = a - b;
+  for (int i = 0; i < 2; ++i)
+    if (periodic[i]) d[i] -= length()[i] * std::round(d[i] / length()[i]);
+  return d;
+}
+
+std::optional<Overlap> deepest_overlap(const std::vector<Circle> &circles, int first_new, const PlaneBox &box)
+{
+  const Cells cells(circles, box);
+  std::optional<Overlap> deepest;
+  for (int i = first_new; i < static_cast<int>(circles.size()); ++i)
+    cells.visit_around(circles[i].centre, [&](int j) {
+      if (j >= i) return;
+      const double reach = circles[i].radius + circles[j].radius;
+      const double depth = reach - box.difference(circles[i].centre, circles[j].centre).norm();
+      if (depth > touching * reach && (!deepest || depth > deepest->depth)) deepest = Overlap{j, i, depth};
+    });
+  return deepest;
+}
+
+}  // namespace swellflow

@@ -1,0 +1,178 @@
+// The styles are entries of two maps from a style's name to a creator, Modify::fix_map and Input::command_map, which
+// LIGGGHTS fills when it starts. A creator is a plain function: it gets the LAMMPS object and nothing else. So what our
+// fixes need from outside (Factories) is carried by the object that reads the script, which the creator finds in lmp->input.
+#include "register_styles.h"
+
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+#include "create_objects.h"
+#include "fix.h"
+#include "fix_fluid_ib.h"
+#include "fix_mass_spring.h"
+#include "fix_nve_cds.h"
+#include "fix_objects.h"
+#include "fix_output_vtk.h"
+#include "fix_swell.h"
+#include "input.h"
+#include "lammps.h"
+#include "modify.h"
+#include "universe.h"
+
+using namespace LAMMPS_NS;
+
+namespace swellflow {
+
+namespace {
+
+using FixCreator = Fix *(*)(LAMMPS *, int, char **);
+using FixMap = std::map<std::string, FixCreator>;
+using CommandCreator = void (*)(LAMMPS *, int, char **);
+using CommandMap = std::map<std::string, CommandCreator>;
+
+// Modify::fix_map is private. Access is not checked in an explicit instantiation ([temp.spec.general]), so its address may
+// be a template argument there, and the friend defined along with it may use it.
+FixMap *fix_map_of(const Modify &);
+template <FixMap *Modify::*Member>
+struct FixMapAccess {
+  friend FixMap *fix_map_of(const Modify &modify) { return modify.*Member; }
+};
+template struct FixMapAccess<&Modify::fix_map>;
+
+const Factories &factories_of(LAMMPS *lmp);
+
+template <typename T>
+Fix *create_fix(LAMMPS *lmp, int narg, char **arg)
+{
+  return new T(lmp, narg, arg);
+}
+
+template <typename T>
+void run_command(LAMMPS *lmp, int narg, char **arg)
+{
+  T(lmp).command(narg, arg);
+}
+
+const FixMap &fix_styles()
+{
+  static const FixMap styles = {
+    {"objects", create_fix<FixObjects>},
+    {"mass_spring", create_fix<FixMassSpring>},
+    {"swell", create_fix<FixSwell>},
+    {"nve/cds", create_fix<FixNveCds>},
+    {"fluid/ib", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixFluidIb(lmp, narg, arg, factories_of(lmp).fluid); }},
+    {"output/vtk", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixOutputVtk(lmp, narg, arg, factories_of(lmp).output); }},
+  };
+  return styles;
+}
+
+const CommandMap &commands()
+{
+  static const CommandMap map = {
+    {"create_objects", run_command<CreateObjects>},
+  };
+  return map;
+}
+
+/// A map of another size, or without these names, is not the map that we take it for.
+template <typename Map>
+void check(const Map *map, size_t least, size_t most, std::initializer_list<const char *> names, const std::string &what)
+{
+  const std::string remedy = ": this program was built for another LIGGGHTS than the one it found; rebuild it against Debian's "
+                             "libliggghts-dev " + std::string(supported_liggghts);
+  if (map == nullptr || map->size() < least || map->size() > most)
+    throw std::runtime_error("LIGGGHTS' table of " + what + " must hold " + std::to_string(least) + " to " + std::to_string(most) +
+                             " entries but holds " + std::to_string(map ? map->size() : 0) + remedy);
+  for (const char *name : names)
+    if (map->count(name) == 0) throw std::runtime_error("LIGGGHTS' table of " + what + " does not know '" + name + "'" + remedy);
+}
+
+void check_version(const Universe &universe)
+{
+  if (!std::strstr(universe.version, supported_liggghts))
+    throw std::runtime_error(std::string("LIGGGHTS must be version ") + supported_liggghts + " but calls itself '" +
+                             universe.version + "': install Debian's libliggghts3 " + supported_liggghts);
+}
+
+/// Reads the script as LIGGGHTS does, carries the factories, and registers the fix styles again after `clear`, which rebuilds
+/// their map. No fix of ours may come before a box exists, and only three commands make one: they are where we step in.
+class ScriptReader : public Input {
+public:
+  ScriptReader(LAMMPS *lmp, const Factories &factories) : Input(lmp, 0, nullptr), factories_(factories)
+  {
+    check(command_map, 15, 60, {"run", "set", "velocity"}, "commands");
+    for (const auto &[name, creator] : commands()) (*command_map)[name] = creator;
+    for (const char *name : {"create_box", "read_data", "read_restart"}) {
+      stock_[name] = command_map->at(name);
+      (*command_map)[name] = with_fix_styles;
+    }
+  }
+
+  /// Variables and echo settings of the command line live in the reader that LIGGGHTS made when it started.
+  void take_settings(Input &from)
+  {
+    std::swap(variable, from.variable);
+    echo_screen = from.*(&ScriptReader::echo_screen);
+    echo_log = from.*(&ScriptReader::echo_log);
+    seed_check_error = from.*(&ScriptReader::seed_check_error);
+  }
+
+  void set_factories(const Factories &factories) { factories_ = factories; }
+  const Factories &factories() const { return factories_; }
+
+private:
+  static void with_fix_styles(LAMMPS *lmp, int narg, char **arg);
+
+  Factories factories_;
+  std::map<std::string, CommandCreator> stock_;
+};
+
+void add_fix_styles(LAMMPS *lmp)
+{
+  FixMap *map = fix_map_of(*lmp->modify);
+  check(map, 100, 1000, {"property/atom", "property/global", "wall/gran"}, "fix styles");
+  for (const auto &[name, creator] : fix_styles()) (*map)[name] = creator;
+}
+
+void ScriptReader::with_fix_styles(LAMMPS *lmp, int narg, char **arg)
+{
+  add_fix_styles(lmp);
+  auto *reader = dynamic_cast<ScriptReader *>(lmp->input);
+  reader->stock_.at(reader->command)(lmp, narg, arg);
+}
+
+const Factories &factories_of(LAMMPS *lmp)
+{
+  return dynamic_cast<ScriptReader &>(*lmp->input).factories();
+}
+
+template <typename Map>
+std::vector<std::string> names(const Map &map)
+{
+  std::vector<std::string> result;
+  for (const auto &entry : map)
+    if (entry.first != "objects") result.push_back(entry.first);
+  return result;
+}
+
+}  // namespace
+
+void register_styles(LAMMPS *lmp, const Factories &factories)
+{
+  check_version(*lmp->universe);
+  if (auto *reader = dynamic_cast<ScriptReader *>(lmp->input)) {
+    reader->set_factories(factories);
+  } else {
+    auto *new_reader = new ScriptReader(lmp, factories);
+    new_reader->take_settings(*lmp->input);
+    delete lmp->input;
+    lmp->input = new_reader;
+  }
+  add_fix_styles(lmp);
+}
+
+std::vector<std::string> our_fix_styles() { return names(fix_styles()); }
+std::vector<std::string> our_commands() { return names(commands()); }
+
+}  // namespace swellflow

@@ -1,0 +1,229 @@
+// Growing radii must never lose a contact: against another object, a plane wall, a mesh wall; on any number of ranks.
+#include <cstdio>
+#include <fstream>
+
+#include "dry_scene.h"
+
+using namespace swellflow_test;
+
+namespace {
+
+/// Objects that stand still (no integrator) and grow, so that their spheres meet while nothing moves.
+void grow(DryScene &scene, const std::string &law, int steps)
+{
+  scene.script("fix grow all swell " + law + "\ntimestep 1e-2\nrun " + std::to_string(steps) + "\n");
+}
+
+constexpr double kn = 1e4;
+
+using Forces = std::map<int, std::array<double, 2>>;
+
+/// What all spheres of different objects do to each other, asked pair by pair. Objects have 21 points.
+Forces pair_forces(const DryScene::State &state)
+{
+  Forces forces;
+  for (const auto &[a, p] : state)
+    for (const auto &[b, q] : state) {
+      if ((a - 1) / 21 == (b - 1) / 21) continue;
+      const double dx = p[0] - q[0], dy = p[1] - q[1], distance = std::hypot(dx, dy), overlap = p[4] + q[4] - distance;
+      if (overlap <= 0.0) continue;
+      forces[a][0] += kn * overlap * dx / distance;
+      forces[a][1] += kn * overlap * dy / distance;
+    }
+  return forces;
+}
+
+/// What a wall at `place` does to all spheres on its upper side in direction d.
+Forces wall_forces(const DryScene::State &state, int d, double place)
+{
+  Forces forces;
+  for (const auto &[tag, p] : state) forces[tag][d] = kn * std::max(p[4] - (p[d] - place), 0.0);
+  return forces;
+}
+
+void expect_forces(const DryScene &scene, Forces expected)
+{
+  double largest = 0.0;
+  for (const auto &[tag, f] : scene.forces())
+    for (int d = 0; d < 2; d++) {
+      EXPECT_NEAR(f[d], expected[tag][d], 1e-8) << "on atom " << tag << ", direction " << d;
+      largest = std::max(largest, std::abs(f[d]));
+    }
+  EXPECT_GT(largest, 50.0) << "there must be contact to compare";
+}
+
+/// A wall of triangles from a to b, a strip about z = 0; the name of its file.
+std::string write_mesh(const std::string &kind, std::array<double, 2> a, std::array<double, 2> b)
+{
+  const std::string name = kind + "_" + std::to_string(ranks()) + ".stl";
+  if (rank() == 0) {
+    std::ofstream file(name);
+    file << "solid wall\n";
+    const auto triangle = [&](std::initializer_list<std::array<double, 3>> corners) {
+      file << "facet normal 0 1 0\nouter loop\n";
+      for (const auto &c : corners) file << "vertex " << c[0] << " " << c[1] << " " << c[2] << "\n";
+      file << "endloop\nendfacet\n";
+    };
+    const int n = 10;
+    for (int k = 0; k < n; k++) {
+      const auto at = [&](int i, double z) {
+        return std::array<double, 3>{a[0] + (b[0] - a[0]) * i / n, a[1] + (b[1] - a[1]) * i / n, z};
+      };
+      triangle({at(k, -0.05), at(k + 1, -0.05), at(k + 1, 0.05)});
+      triangle({at(k, -0.05), at(k + 1, 0.05), at(k, 0.05)});
+    }
+    file << "endsolid wall\n";
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  return name;
+}
+
+void remove_mesh(const std::string &name)
+{
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (rank() == 0) std::remove(name.c_str());
+}
+
+// Natural diameter 0.1, spheres of 0.01.
+constexpr const char *disk = "diameter 0.1 points 20 density 1000 cds 0.1\n";
+constexpr const char *mesh_wall =
+    "fix wall all wall/gran model hooke/stiffness tangential history mesh n_meshes 1 meshes mesh absolute_damping on\n";
+// LIGGGHTS sends a mesh's images across thin periodic boxes, and stumbles over them.
+constexpr const char *thick = "-0.5 0.5";
+
+}  // namespace
+
+struct Way {
+  const char *name, *law;
+  int steps;
+};
+void PrintTo(const Way &way, std::ostream *out) { *out << way.name; }
+
+class Growing : public testing::TestWithParam<Way> {};
+
+// Spheres of 0.01 at a distance of 0.06 touch when they have grown threefold.
+TEST_P(Growing, PairContactsAreFound)
+{
+  DryScene scene;
+  scene.box("0 1 0 1", "f f p", "0.002");
+  scene.script(std::string("create_objects lattice 2 1 origin 0.42 0.5 spacing 0.16 disk ") + disk);
+  grow(scene, GetParam().law, GetParam().steps);
+  expect_forces(scene, pair_forces(scene.state()));
+}
+
+TEST_P(Growing, PlaneWallContactsAreFound)
+{
+  DryScene scene;
+  scene.box("0 1 0 1", "f f p", "0.002");
+  scene.script(std::string("create_objects disk 0.5 0.08 ") + disk +
+               "fix bottom all wall/gran model hooke/stiffness tangential history primitive type 1 yplane 0.0 absolute_damping on\n");
+  grow(scene, GetParam().law, GetParam().steps);
+  expect_forces(scene, wall_forces(scene.state(), 1, 0.0));
+}
+
+TEST_P(Growing, MeshWallContactsAreFound)
+{
+  const std::string mesh = write_mesh("flat", {0.01, 0.3}, {0.99, 0.3});
+  DryScene scene;
+  scene.box("0 1 0 1", "f f p", "0.002", thick);
+  scene.script(std::string("create_objects disk 0.5 0.38 ") + disk + "fix mesh all mesh/surface file " + mesh + " type 1\n" + mesh_wall);
+  grow(scene, GetParam().law, GetParam().steps);
+  expect_forces(scene, wall_forces(scene.state(), 1, 0.3));
+  remove_mesh(mesh);
+}
+
+INSTANTIATE_TEST_SUITE_P(DryContacts, Growing,
+                         testing::Values(Way{"slowly", "linear rate 0.1 max 0.37", 280}, Way{"fast", "linear rate 1.0 max 0.37", 30},
+                                         Way{"far", "linear rate 0.1 max 0.5", 401}),
+                         [](const auto &info) { return info.param.name; });
+
+// The wall lies in the left half, the object in the right: its rank hears of the mesh only when spheres are large.
+TEST(DryContacts, AMeshOnAnotherRankIsFoundLate)
+{
+  const std::string mesh = write_mesh("upright", {0.41, 0.4}, {0.41, 0.6});
+  DryScene scene;
+  scene.script("processors * 1 1\n");
+  scene.box("0 1 0 1", "f f p", "0.002", thick);
+  scene.script(std::string("create_objects disk 0.57 0.5 ") + disk + "fix mesh all mesh/surface file " + mesh + " type 1\n" + mesh_wall);
+  grow(scene, "linear rate 0.4 max 1.3", 301);
+  expect_forces(scene, wall_forces(scene.state(), 0, 0.41));
+  remove_mesh(mesh);
+}
+
+// Other computes have neighbour lists of their own; they must outlive the new cut-offs.
+TEST(DryContacts, ListsOfComputesSurviveTheGrowth)
+{
+  DryScene scene;
+  scene.box("0 1 0 1", "f f p", "0.002");
+  scene.script(std::string("create_objects lattice 2 1 origin 0.42 0.5 spacing 0.16 disk ") + disk +
+               "compute touching all contact/atom\ncompute most all reduce max c_touching\n"
+               "thermo_style custom step c_most\nthermo 1\nvariable most equal c_most\n");
+  grow(scene, "linear rate 0.1 max 0.37", 280);
+  int expected = 0;
+  const auto state = scene.state();
+  for (const auto &[a, p] : state) {
+    int partners = 0;
+    for (const auto &[b, q] : state)
+      partners += (a - 1) / 21 != (b - 1) / 21 && std::hypot(p[0] - q[0], p[1] - q[1]) < p[4] + q[4];
+    expected = std::max(expected, partners);
+  }
+  LAMMPS_NS::Variable *variable = scene.lmp()->input->variable;
+  EXPECT_EQ(variable->compute_equal(variable->find(const_cast<char *>("most"))), expected);
+}
+
+namespace {
+
+/// Swelling objects that press on each other and on walls, 200 steps.
+DryScene::State bed_in_contact(MPI_Comm comm)
+{
+  DryScene scene(comm);
+  scene.box("0 1 0 1");
+  scene.script("create_objects lattice 4 4 origin 0.164 0.164 spacing 0.224 disk diameter 0.16 points 20 density 1500 cds 0.2 type 1\n"
+               "fix springs all mass_spring stiffness 1000 restitution 0.9\nfix grow all swell linear rate 0.02 max 0.22\n"
+               "fix move all nve/cds\nfix flat all enforce2d\ntimestep 2e-3\n");
+  const char *sides[] = {"xplane 0.0", "xplane 1.0", "yplane 0.0", "yplane 1.0"};
+  for (int k = 0; k < 4; k++)
+    scene.script("fix side" + std::to_string(k) + " all wall/gran model hooke/stiffness tangential history primitive type 1 " +
+                 sides[k] + " absolute_damping on\n");
+  scene.change([](int tag, double *, double *v) { v[0] = 0.1 * std::sin(1.0 * tag), v[1] = 0.1 * std::cos(2.0 * tag); });
+  scene.script("run 200\n");
+  double largest = 0.0;
+  for (const auto &[tag, f] : pair_forces(scene.state())) largest = std::max(largest, std::hypot(f[0], f[1]));
+  EXPECT_GT(largest, 10.0) << "there must be contact";
+  return scene.state();
+}
+
+}  // namespace
+
+TEST(DryContacts, ABedInContactDoesNotDependOnTheRanks)
+{
+  const double difference = largest_difference(bed_in_contact(MPI_COMM_WORLD), bed_in_contact(MPI_COMM_SELF));
+  if (rank() == 0) std::printf("largest difference from one rank after 200 steps: %.2g\n", difference);
+  EXPECT_LT(difference, 1e-9);
+}
+
+// Objects that drift over periodic sides, in contact, with their own atoms on both sides of the box.
+TEST(DryContacts, APeriodicBedDoesNotDependOnTheRanks)
+{
+  const auto drifting_bed = [](MPI_Comm comm) {
+    DryScene scene(comm);
+    scene.box("0 1 0 1", "p p p");
+    scene.script("create_objects lattice 4 4 origin 0.01 0.01 spacing 0.25 disk diameter 0.18 points 20 density 1500 cds 0.2 type 1\n"
+                 "fix springs all mass_spring stiffness 1000 restitution 0.9\nfix grow all swell linear rate 0.02 max 0.22\n"
+                 "fix move all nve/cds\ntimestep 2e-3\n");
+    scene.change([](int tag, double *, double *v) { v[0] = 0.5 + 0.1 * std::sin(1.0 * tag), v[1] = -0.4 + 0.1 * std::cos(2.0 * tag); });
+    scene.script("run 400\n");
+    return scene.state();
+  };
+  const auto many = drifting_bed(MPI_COMM_WORLD);
+  const double difference = largest_difference(many, drifting_bed(MPI_COMM_SELF));
+  if (rank() == 0) std::printf("periodic: largest difference from one rank after 400 steps: %.2g\n", difference);
+  EXPECT_LT(difference, 1e-9);
+  std::array<double, 2> momentum{}, start{};
+  for (const auto &[tag, p] : many)
+    for (int d = 0; d < 2; d++) {
+      momentum[d] += p[5] * p[2 + d];
+      start[d] += p[5] * (d == 0 ? 0.5 : -0.4);
+    }
+  EXPECT_NEAR(momentum[0], start[0], 0.1 * start[0]) << "the drift must still be there";
+}

@@ -1,0 +1,141 @@
+// What users may write, and what they are told when they write something else.
+#include <gtest/gtest.h>
+
+#include "liggghts_plugins/object_list.h"
+#include "liggghts_plugins/options.h"
+
+using namespace swellflow;
+
+namespace {
+
+std::vector<std::string> words_of(const std::string &text)
+{
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    if (end > begin) words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+/// What create_objects makes of a line.
+std::vector<NewObject> made(const std::string &line, const std::string &file_text = "")
+{
+  std::vector<std::string> words = words_of(line);
+  std::vector<char *> arg;
+  for (std::string &word : words) arg.push_back(word.data());
+  return read_object_list(arg.size(), arg.data(), [&](const std::string &) { return file_text; });
+}
+
+/// The message that create_objects ends with.
+std::string complaint(const std::string &line, const std::string &file_text = "")
+{
+  try {
+    made(line, file_text);
+  } catch (const std::invalid_argument &problem) {
+    return problem.what();
+  }
+  return "no error";
+}
+
+void expect_all(const std::string &message, const std::vector<std::string> &parts)
+{
+  for (const std::string &part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+}
+
+}  // namespace
+
+TEST(Options, ReadEveryKind)
+{
+  double rate = 1.0, untouched = 7.0;
+  int count = 0, choice = 0;
+  bool absorb = true, quiet = false;
+  std::string folder;
+  std::vector<std::string> fields;
+  double wall = 0.0;
+  Options options("fix a b");
+  options.number("rate", rate, Range::positive(), "length per time", "growth");
+  options.number("untouched", untouched, Range::any(), "", "kept");
+  options.integer("count", count, Range::at_least(1), "how many");
+  options.choice("kernel", choice, {"roma_1999", "peskin_2002"}, "delta kernel");
+  options.yes_no("absorb", absorb, "drinks");
+  options.flag("quiet", quiet, "no output");
+  options.text("folder", folder, "where to");
+  options.list("fields", fields, {"velocity", "pressure"}, "what");
+  options.custom("wall", [&](Arguments &line) { wall += line.number("wall"); }, "speed of a wall").repeatable();
+  Arguments line("fix a b", words_of("fields velocity pressure rate 2.5e-1 count 3 kernel peskin_2002 absorb no quiet folder post wall 1 wall 2"));
+  options.parse(line);
+  EXPECT_EQ(rate, 0.25);
+  EXPECT_EQ(untouched, 7.0);
+  EXPECT_EQ(count, 3);
+  EXPECT_EQ(choice, 1);
+  EXPECT_FALSE(absorb);
+  EXPECT_TRUE(quiet);
+  EXPECT_EQ(folder, "post");
+  EXPECT_EQ(fields, (std::vector<std::string>{"velocity", "pressure"}));
+  EXPECT_EQ(wall, 3.0);
+  EXPECT_TRUE(options.given("wall"));
+  EXPECT_FALSE(options.given("untouched"));
+}
+
+TEST(CreateObjectsLine, MakesTheDiscThatItNames)
+{
+  const auto objects = made("disk 0.5 0.25 diameter 0.12 points 21 density 1500 cds 0.1 type 2 mass equal");
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].centre, Vector2(0.5, 0.25));
+  EXPECT_EQ(objects[0].disk.ring_points, 21);
+  EXPECT_EQ(objects[0].disk.share, MassShare::equal);
+  EXPECT_EQ(objects[0].type, 2);
+}
+
+TEST(CreateObjectsLine, LatticeSpacingMayDifferPerDirection)
+{
+  EXPECT_EQ(made("lattice 3 2 origin 0.1 0.2 spacing 0.3 disk diameter 0.1 density 1")[5].centre, Vector2(0.1 + 2 * 0.3, 0.5));
+  EXPECT_EQ(made("lattice 3 2 origin 0.1 0.2 spacing 0.3 0.4 disk diameter 0.1 density 1")[3].centre, Vector2(0.1, 0.2 + 0.4));
+}
+
+TEST(CreateObjectsLine, SaysWhatIsWrong)
+{
+  const std::string good = "disk 0.5 0.5 diameter 0.1 density 1000";
+  expect_all(complaint(""), {"create_objects", "not enough arguments", "disk or lattice or file"});
+  expect_all(complaint("ball 0 0"), {"'form' must be disk or lattice or file", "'ball'"});
+  expect_all(complaint("disk 0.5"), {"create_objects disk", "not enough arguments for 'y'"});
+  expect_all(complaint("disk 0.5 north diameter 1 density 1"), {"'y' must be a number", "'north'"});
+  expect_all(complaint("disk 0.5 0.5 density 1000"), {"keyword 'diameter' is missing", "> 0"});
+  expect_all(complaint("disk 0.5 0.5 diameter 0.1"), {"keyword 'density' is missing"});
+  expect_all(complaint("disk 0.5 0.5 diameter 0 density 1"), {"'diameter' must be a number > 0", "'0'"});
+  expect_all(complaint("disk 0.5 0.5 diameter -0.1 density 1"), {"'diameter' must be a number > 0", "'-0.1'"});
+  expect_all(complaint("disk 0.5 0.5 diameter 0.1 density -1500"), {"'density' must be a number > 0", "'-1500'"});
+  expect_all(complaint("disk 0.5 0.5 diameter nan density 1"), {"'diameter' must be a number > 0", "'nan'"});
+  expect_all(complaint("disk 0.5 0.5 diameter inf density 1"), {"'diameter' must be a number > 0", "'inf'"});
+  expect_all(complaint(good + " points 2"), {"'points' must be a whole number >= 3", "'2'"});
+  expect_all(complaint(good + " points 20.5"), {"'points' must be a whole number", "'20.5'"});
+  expect_all(complaint(good + " points 1e12"), {"'points' must be a whole number", "'1e12'"});
+  expect_all(complaint(good + " cds 0.6"), {"'cds' must be a number in (0, 0.5] (of the diameter)", "'0.6'"});
+  expect_all(complaint(good + " type 0"), {"'type' must be a whole number >= 1", "'0'"});
+  expect_all(complaint(good + " mass heavy"), {"'mass' must be hub_half or equal", "'heavy'"});
+  expect_all(complaint(good + " colour red"), {"unknown keyword 'colour'", "known are diameter, density, points, cds, type, mass"});
+  expect_all(complaint(good + " points"), {"not enough arguments for 'points'", ">= 3"});
+  expect_all(complaint(good + " density 2"), {"keyword 'density' is given twice"});
+  expect_all(complaint("lattice 4 0 origin 0 0 spacing 1 disk diameter 0.1 density 1"), {"'objects along y' must be a whole number >= 1"});
+  expect_all(complaint("lattice 4 4 at 0 0"), {"create_objects lattice", "here must stand 'origin'", "'at'"});
+  expect_all(complaint("lattice 4 4 origin 0 0 spacing 0.2 0 disk diameter 0.1 density 1"), {"'spacing' must be a number > 0"});
+}
+
+TEST(CreateObjectsLine, FileErrorsNameFileAndLine)
+{
+  const std::string line = "file beads.csv density 1000";
+  EXPECT_EQ(made(line, "x,y,diameter\n0.1,0.2,0.05\n").size(), 1u);
+  expect_all(complaint(line, ""), {"beads.csv", "must hold a line of names"});
+  expect_all(complaint(line, "x,y,diameter\n"), {"beads.csv line 1", "at least one line of numbers"});
+  expect_all(complaint(line, "x,y,size\n0,0,1\n"), {"beads.csv line 1", "'size'", "known are x, y, diameter"});
+  expect_all(complaint(line, "x,y,x\n0,0,1\n"), {"beads.csv line 1", "'x' is there twice"});
+  expect_all(complaint(line, "x,diameter\n0,0.1\n"), {"beads.csv", "column 'y' must be there"});
+  expect_all(complaint(line, "x,y,diameter\n0,0,0.1\n0.5,0.5\n"), {"beads.csv line 3", "3 numbers", "there are 2"});
+  expect_all(complaint(line, "# c\n\nx,y,diameter\n0,zero,0.1\n"), {"beads.csv line 4", "'y' must be a number", "'zero'"});
+  expect_all(complaint(line, "x,y,diameter\n0,0,-1\n"), {"beads.csv line 2", "'diameter' must be a number > 0", "'-1'"});
+  expect_all(complaint(line, "x,y,diameter,points\n0,0,1,3.5\n"), {"beads.csv line 2", "'points' must be a whole number", "'3.5'"});
+  expect_all(complaint(line, "x,y\n0,0\n"), {"create_objects file", "keyword 'diameter' is missing"});
+  expect_all(complaint("file"), {"create_objects file", "not enough arguments for 'file'"});
+}

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""The long proofs: ./bootstrap verify [NAME]. A part that passed is not run again until the sources change.
+
+Each part is a function that runs for less than an hour and returns its exit code. It prints its figure last.
+"""
+
+import hashlib
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "cases"))
+import caselib  # noqa: E402
+
+FOLDER = ROOT / "results" / "verify"
+SOURCES = ("CMakeLists.txt", "cmake", "fluid", "liggghts_plugins", "coupling", "cases", "tests/verify.py", "tests/ranks_agree.py")
+
+
+def case(name, folder, *arguments):
+    """cases/run into a folder of its own; the exit code."""
+    command = [str(caselib.CASES / "run"), name, "--out", str(FOLDER / folder), *arguments]
+    print("$ " + " ".join(command), flush=True)
+    return subprocess.run(command, stdin=subprocess.DEVNULL).returncode
+
+
+def cavity_stiff():
+    return case("cavity_swelling", "cavity_stiff", "--np", "2", "--check")
+
+
+def cavity_soft():
+    return case("cavity_swelling", "cavity_soft", "--np", "2", "-var", "ks", "100", "--check")
+
+
+def cavity_ranks():
+    return subprocess.run([sys.executable, str(ROOT / "tests" / "ranks_agree.py"), str(FOLDER / "cavity_ranks")]).returncode
+
+
+PARTS = {
+    "cavity_stiff": (cavity_stiff, "the paper's cavity with k_s = 1000, to t = 110"),
+    "cavity_soft": (cavity_soft, "the paper's cavity with k_s = 100, to t = 110"),
+    "cavity_ranks": (cavity_ranks, "200 fluid steps of the cavity agree on 1, 2 and 4 ranks"),
+}
+
+
+def fingerprint():
+    digest = hashlib.sha256()
+    for source in SOURCES:
+        path = ROOT / source
+        files = sorted(file for file in path.rglob("*") if file.is_file() and "__pycache__" not in file.parts) if path.is_dir() else [path]
+        for file in files:
+            digest.update(str(file.relative_to(ROOT)).encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
+
+
+def verify(name, now):
+    """True when the part holds for these sources."""
+    run, words = PARTS[name]
+    proof = FOLDER / f"{name}.passed"
+    if proof.exists() and proof.read_text() == now:
+        print(f"== {name}: {words}: holds, proved before for these sources")
+        return True
+    print(f"== {name}: {words}", flush=True)
+    proof.unlink(missing_ok=True)
+    start = time.monotonic()
+    passed = run() == 0
+    print(f"== {name}: {'holds' if passed else 'FAILED'} after {time.monotonic() - start:.0f} s", flush=True)
+    if passed:
+        partial = proof.with_suffix(".partial")
+        partial.write_text(now)
+        os.replace(partial, proof)
+    return passed
+
+
+def main(names):
+    unknown = [name for name in names if name not in PARTS]
+    if unknown:
+        sys.exit(f"verify: unknown part '{unknown[0]}'. Known: {', '.join(PARTS)}")
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    now = fingerprint()
+    failed = [name for name in names or PARTS if not verify(name, now)]
+    print(f"{len(names or PARTS) - len(failed)} passed, {len(failed)} failed")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
