@@ -11,18 +11,18 @@ namespace swellflow {
 
 /// Direct-forcing immersed boundary (Uhlmann 2005; Guinea, Toriu & Ushijima 2022) in the form of docs/theory.md. A fluid step is
 ///
-///   arrive      a marker a ring point, `retraction` cells towards the hub, goes to the slab that holds it
+///   arrive      the markers of each ring point go to the slabs that hold them
 ///   predict     u~ with the force F_c that each marker gave in the step before, spread at its new place
 ///   interpolate u~ at the markers
-///   hand out    the force on a point is  kappa (u~ - c - v) - (1 - s) F_c  while LIGGGHTS takes its N steps; the hub bears -s F_c of each of its ring points
-///   collect     the impulse I that each point truly received: the marker gives the fluid J = s F_c dt - I in all
-///   spread      J - F_c dt; then F_c = J / dt
+///   hand out    the force on a point is  sum over its markers of kappa (u~ - c - v), less its shares of F_c  while LIGGGHTS takes its N steps
+///   collect     the impulse I that each point truly received: with it the velocity V that the point had in the mean
+///   spread      dJ = kappa dt (V + c - u~) for each marker; F_c of the point is then that of before plus the sum of dJ / dt
 ///   project     div u = 0
 ///
 /// with kappa = rho_f ds h / (beta dt), ds the spacing of the markers, beta the larger of the kernel's scale and the row sum (what comes back at a marker when all are asked to
-/// change by 1: more than the scale only where markers crowd); s the marker's share of the way to the hub; c the marker's velocity less its point's: s (V - v) with V the hub's,
-/// less q (x - x_c) if the object absorbs, q = (dA/dt) / (2A) of the outline's actual motion, between 0 and the natural rate. What points receive and what the fluid gives is equal
-/// to round-off. The fluid inside an object has inertia of its own, which is returned: with rho_f V a of the object's last acceleration, as is its weight.
+/// change by 1: more than the scale only where markers crowd); c the marker's velocity less its point's when the step begins, less q (x - x_c) if the object absorbs, q =
+/// (dA/dt) / (2A) of the outline's actual motion, between 0 and the natural rate. What points receive and what the fluid gives is equal to round-off. The fluid inside an object has
+/// inertia of its own, which is returned: with rho_f V a of the object's last acceleration, as is its weight.
 template <int Dim> class CoupledFluid : public FluidPartner {
 public:
   CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const WallVelocities<Dim> &walls);
@@ -40,7 +40,7 @@ public:
 
 private:
   using VecD = Vec<Dim>;
-  /// What travels to the slab when a step begins, what comes back, and what follows when it ends.
+  /// What travels to the slab when a step begins, and what comes back.
   struct Arrival {
     VecD x, carried_impulse;
     double spacing;
@@ -48,51 +48,59 @@ private:
   struct Answer {
     VecD u;
     double kappa;
-    int slot;
   };
-  struct Receipt {
+  /// What a point reports when the step ends, to the rank on which it was when the step began.
+  struct Report {
     int slot;
     VecD impulse;
   };
-  /// An own ring point while its law is made.
-  struct OwnMarker {
-    int point;
-    double share;
-    VecD offset;
+  /// The account of an own ring point: its markers are those at first … first + count - 1.
+  struct Account {
+    int point, first, count;
+    VecD carried, felt;  ///< force F_c of all its markers; its share of all F_c
   };
 
   void describe_markers(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity);
   void describe_object(const ObjectPoints &object, const std::array<double, 3> &gravity);
-  void describe_marker(const ObjectPoints &object, int k, double absorption_rate);
-  double absorption_rate(const ObjectPoints &object) const;
+  void open_accounts(const ObjectPoints &object, double absorption_rate);
+  void add_marker(const ObjectPoints &object, int m, double absorption_rate);
+  void share_carried_force(const ObjectPoints &object);
   void return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const std::array<double, 3> &gravity);
+  double absorption_rate(const ObjectPoints &object) const;
+  void remember_motion(const ObjectPoints &object, const ObjectMotion &motion);
+  int markers_per_point(const ObjectPoints &object) const;
+  int slab_of(const VecD &x) const;
   void arrive();
   void set_kappa();
-  void spread(const std::vector<VecD> &impulses);
   void hand_out();
   void collect(const std::vector<ObjectPoints> &objects);
-  void remember_motion(const ObjectPoints &object, const ObjectMotion &motion);
+  void settle(const Report &report);
+  void spread(const std::vector<VecD> &impulses);
   VecD given_to_fluid() const;
+  bool owns_any(const ObjectPoints &object, int &own) const;
 
   FlowSolver<Dim> flow_;
   Markers<Dim> markers_;
   DemEngine points_;
   MarkerRing ring_;
-  Courier courier_;
+  Courier to_slabs_, to_homes_;
   FluidOptions options_;
   double dt_ = 0.0;
 
-  // On the rank of the point
-  std::vector<OwnMarker> own_;
+  // On the rank that has the point when the step begins
+  std::vector<Account> accounts_;
   std::vector<Arrival> leaving_;
+  std::vector<VecD> offset_, leaving_change_, felt_;
   std::vector<int> to_;
-  std::vector<Receipt> receipts_, arrived_receipts_;
-  std::vector<Answer> answers_at_own_;
+  std::vector<Answer> answers_here_;
+  // On the rank that has it when the step ends, and what comes to the former
+  std::vector<Report> reports_, arrived_reports_;
+  std::vector<int> reporting_;
+  std::vector<VecD> new_force_, new_force_here_;
   // On the rank of the slab
   std::vector<Arrival> arrived_;
-  std::vector<VecD> x_, u_, carried_, impulse_, change_, row_sum_;
-  std::vector<double> kappa_;
   std::vector<Answer> answers_;
+  std::vector<VecD> x_, u_, carried_, change_, row_sum_;
   // Balance of this rank's last step: given to the fluid, received by points, sum of |J|
   VecD given_{}, received_{};
   double exchanged_ = 0.0, marker_gap_ = 0.0;

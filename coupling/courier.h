@@ -24,13 +24,17 @@ public:
   template <class T> void deliver(const std::vector<T> &records, const std::vector<int> &to, std::vector<T> &arrived)
   {
     sort_by_rank(to);
-    sorted_bytes_.resize(records.size() * sizeof(T));
-    T *sorted = reinterpret_cast<T *>(sorted_bytes_.data());
-    for (std::size_t i = 0; i < records.size(); ++i) sorted[place_[i]] = records[i];
     MPI_Alltoall(sent_.data(), 1, MPI_INT, received_.data(), 1, MPI_INT, comm_);
     std::exclusive_scan(received_.begin(), received_.end(), received_start_.begin(), 0);
+    deliver_again(records, arrived);
+  }
+
+  /// More records from the same senders to the same receivers as in the last delivery. Collective.
+  template <class T> void deliver_again(const std::vector<T> &records, std::vector<T> &arrived)
+  {
+    sort_records(records);
     arrived.resize(received_start_[ranks_]);
-    exchange(sorted, sent_, sent_start_, arrived.data(), received_, received_start_);
+    exchange(reinterpret_cast<const T *>(sorted_bytes_.data()), sent_, sent_start_, arrived.data(), received_, received_start_);
   }
 
   /// answers[i] belongs to arrived[i] of the last delivery; back[i] is the answer to records[i]. Collective.
@@ -52,6 +56,13 @@ private:
     next_ = sent_start_;
     place_.resize(to.size());
     for (std::size_t i = 0; i < to.size(); ++i) place_[i] = next_[to[i]]++;
+  }
+
+  template <class T> void sort_records(const std::vector<T> &records)
+  {
+    sorted_bytes_.resize(records.size() * sizeof(T));
+    T *sorted = reinterpret_cast<T *>(sorted_bytes_.data());
+    for (std::size_t i = 0; i < records.size(); ++i) sorted[place_[i]] = records[i];
   }
 
   template <class T>

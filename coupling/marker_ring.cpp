@@ -7,46 +7,47 @@
 
 namespace swellflow {
 
-void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, double retraction)
+void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int per_point, double retraction)
 {
-  positions_.resize(object.n_ring);
-  shares_.resize(object.n_ring);
-  from_hub_.resize(object.n_ring);
-  const double *hub = points.x[object.hub];
-  for (int k = 0; k < object.n_ring; ++k) {
-    const double *x = points.x[object.ring[k]];
-    const double distance = std::hypot(x[0] - hub[0], x[1] - hub[1]);
-    shares_[k] = distance > 0.0 ? std::min(0.5, retraction / distance) : 0.0;
+  per_point_ = per_point;
+  markers_.resize(static_cast<std::size_t>(object.n_ring) * per_point);
+  from_hub_.resize(markers_.size());
+  const double *x_hub = points.x[object.hub], *u_hub = points.v[object.hub];
+  for (int m = 0; m < size(); ++m) {
+    Marker &marker = markers_[m];
+    marker.point = m / per_point;
+    const double t = (m % per_point + 0.5) / per_point - 0.5;
+    marker.partner = (marker.point + (t < 0.0 ? object.n_ring - 1 : 1)) % object.n_ring;
+    marker.along = std::abs(t);
+    const int i = object.ring[marker.point], j = object.ring[marker.partner];
+    Vec<2> outline;
+    for (int d = 0; d < 2; ++d) outline[d] = (1.0 - marker.along) * points.x[i][d] + marker.along * points.x[j][d];
+    const double distance = std::hypot(outline[0] - x_hub[0], outline[1] - x_hub[1]);
+    marker.share = distance > 0.0 ? std::min(0.5, retraction / distance) : 0.0;
     for (int d = 0; d < 2; ++d) {
-      from_hub_[k][d] = (1.0 - shares_[k]) * (x[d] - hub[d]);
-      positions_[k][d] = hub[d] + from_hub_[k][d];
+      marker.x[d] = x_hub[d] + (1.0 - marker.share) * (outline[d] - x_hub[d]);
+      marker.u[d] = marker.point_weight() * points.v[i][d] + marker.partner_weight() * points.v[j][d] + marker.share * u_hub[d];
+      from_hub_[m][d] = marker.x[d] - x_hub[d];
     }
   }
   const OutlineShape shape = outline_shape(from_hub_);
   area_ = shape.area;
-  centroid_ = {hub[0] + shape.centroid.x(), hub[1] + shape.centroid.y()};
+  centroid_ = {x_hub[0] + shape.centroid.x(), x_hub[1] + shape.centroid.y()};
 }
 
-double MarkerRing::gap(int k) const
+double MarkerRing::gap(int m) const
 {
-  const Vec<2> &a = positions_[k], &b = positions_[after(k)];
+  const Vec<2> &a = markers_[m].x, &b = markers_[after(m)].x;
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-Vec<2> MarkerRing::outward(int k) const
-{
-  const Vec<2> &a = positions_[before(k)], &b = positions_[after(k)];
-  return {0.5 * (b[1] - a[1]), -0.5 * (b[0] - a[0])};
-}
-
-double MarkerRing::dilation_rate(const ObjectPoints &object, const DemEngine &points) const
+double MarkerRing::dilation_rate() const
 {
   if (area_ <= 0.0) return 0.0;
   double flux = 0.0;
-  for (int k = 0; k < size(); ++k) {
-    const Vec<2> b = outward(k);
-    for (int d = 0; d < 2; ++d)
-      flux += b[d] * ((1.0 - shares_[k]) * points.v[object.ring[k]][d] + shares_[k] * points.v[object.hub][d]);
+  for (int m = 0; m < size(); ++m) {
+    const Vec<2> &a = markers_[before(m)].x, &b = markers_[after(m)].x, &u = markers_[m].u;
+    flux += 0.5 * ((b[1] - a[1]) * u[0] - (b[0] - a[0]) * u[1]);
   }
   return flux / (2.0 * area_);
 }

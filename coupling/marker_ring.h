@@ -1,4 +1,4 @@
-// The markers of one object: a closed polygon, a little inside the ring of points.
+// The markers of one object: a closed polygon, a little inside the ring of points, and as fine as the fluid's cells ask for.
 #pragma once
 
 #include <vector>
@@ -10,32 +10,39 @@
 
 namespace swellflow {
 
-/// Marker k stands for ring point k. 2-D, per unit depth.
+/// Each ring point has the same number of markers, spread over the half edges on its two sides. A marker moves with its point, the next point on its side and the
+/// hub, in fixed shares, and what force it bears is theirs in the same shares. 2-D, per unit depth.
 class MarkerRing {
 public:
-  /// Each marker lies `retraction` [length] from its ring point towards the hub, but at most half the way. All points need current positions.
-  void place(const ObjectPoints &object, const DemEngine &points, double retraction);
+  struct Marker {
+    int point, partner;      ///< ring points, 0 … n_ring - 1
+    double along;            ///< share of the partner, in [0, 1/2)
+    double share;            ///< of the hub, in [0, 1/2]
+    Vec<2> x, u;
+    double point_weight() const { return (1.0 - share) * (1.0 - along); }
+    double partner_weight() const { return (1.0 - share) * along; }
+  };
 
-  const Vec<2> &position(int k) const { return positions_[k]; }
-  double share(int k) const { return shares_[k]; }    ///< of the way to the hub
-  double gap(int k) const;                            ///< distance to the next marker
-  double spacing(int k) const { return 0.5 * (gap(k) + gap(before(k))); }
+  /// Markers lie `retraction` [length] from the outline towards the hub, but at most half the way. All points, ghosts too, need current positions and velocities.
+  void place(const ObjectPoints &object, const DemEngine &points, int per_point, double retraction);
+
+  /// The markers of ring point k are those at k * per_point … (k + 1) * per_point - 1.
+  const Marker &marker(int m) const { return markers_[m]; }
+  int per_point() const { return per_point_; }
+  double gap(int m) const;                            ///< distance to the next marker
+  double spacing(int m) const { return 0.5 * (gap(m) + gap(before(m))); }
   const Vec<2> &centroid() const { return centroid_; }
 
-  /// Outward normal times the spacing, b.
-  Vec<2> outward(int k) const;
-
-  /// (dA/dt) / (2A) of the area A inside the markers, as the velocities of ring and hub make it change: sum of U . b / (2A), with U the markers'
-  /// velocities. Ghosts need current velocities too.
-  double dilation_rate(const ObjectPoints &object, const DemEngine &points) const;
+  /// (dA/dt) / (2A) of the area A inside the markers: sum of u . b / (2A), b being the outward normal times the spacing.
+  double dilation_rate() const;
 
 private:
-  int size() const { return static_cast<int>(positions_.size()); }
-  int before(int k) const { return k > 0 ? k - 1 : size() - 1; }
-  int after(int k) const { return k + 1 < size() ? k + 1 : 0; }
+  int size() const { return static_cast<int>(markers_.size()); }
+  int before(int m) const { return m > 0 ? m - 1 : size() - 1; }
+  int after(int m) const { return m + 1 < size() ? m + 1 : 0; }
 
-  std::vector<Vec<2>> positions_;
-  std::vector<double> shares_;
+  int per_point_ = 1;
+  std::vector<Marker> markers_;
   std::vector<Vector2> from_hub_;
   double area_ = 0.0;
   Vec<2> centroid_{};

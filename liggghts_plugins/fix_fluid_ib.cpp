@@ -45,6 +45,7 @@ void FixFluidIb::parse(int narg, char **arg)
   options.number("viscosity", options_.kinematic_viscosity, Range::positive(), "length^2/time", "kinematic viscosity").required();
   options.integer("every", options_.dem_steps_per_fluid_step, Range::at_least(1), "DEM steps in a fluid step");
   options.number("retraction", options_.retraction, Range::not_negative(), "cells", "of the markers, from the ring point towards the hub");
+  options.number("marker_gap", options_.marker_gap, Range::positive(), "cells", "largest natural distance of markers along a ring");
   options.custom("wall", [&](Arguments &words) {
     const int side = words.choice("wall", {"xlo", "xhi", "ylo", "yhi"});
     words.choice("wall", {"velocity"});

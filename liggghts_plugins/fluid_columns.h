@@ -15,7 +15,7 @@ struct FluidImpulse {
   static constexpr int N_COLUMNS = 3;
 };
 
-/// The force that a point's marker gave to the fluid in the last fluid step and that is carried into the next: x, y, z. Ghosts have it too.
+/// The force that a point's markers gave to the fluid in the last fluid step and that is carried into the next: x, y, z. Ghosts have it too.
 struct FluidCarried {
   static constexpr const char *NAME = "fluid_carried";
   static constexpr int N_COLUMNS = 3;
@@ -25,15 +25,17 @@ struct FluidCarried {
 struct FluidState {
   static constexpr const char *NAME = "fluid_state";
   enum Column {
-    SHARE,             // of the marker's force that falls to the hub
-    HAS_MARKER,        // 1 while a fluid step is under way that has a marker of this point …
-    SLAB_RANK,         // … on this fluid rank …
-    SLOT,              // … in this place
+    HAS_MARKERS,       // 1 while a fluid step is under way that has markers of this point …
+    HOME_RANK,         // … which this rank keeps account of …
+    HOME_SLOT,         // … in this place
     KNOWS_BEFORE,      // 1 once the next four are known
-    RING_VELOCITY_X,  // mean over the object's ring when the last fluid step began
+    RING_VELOCITY_X,   // mean over the object's ring when the last fluid step began
     RING_VELOCITY_Y,
     RING_SPIN,
     SWELLING,          // natural swelling ratio of the object then
+    ACCELERATION_X,    // of the ring, smoothed over fluid steps
+    ACCELERATION_Y,
+    SPIN_ACCELERATION,
     BODY_FORCE_X,      // inertia of the fluid inside, and buoyancy
     BODY_FORCE_Y,
     N_COLUMNS

@@ -28,6 +28,7 @@ struct FluidOptions {
   int dem_steps_per_fluid_step = 1;
   std::array<std::array<double, 3>, 6> wall_velocity{};  ///< by Side; zero: a wall at rest
   double retraction = 0.3;                            ///< of the markers, towards the hub, in cells
+  double marker_gap = 1.0;                            ///< largest natural distance of markers along the ring, in cells
 };
 
 /// Values that thermo_style shows as f_ID[n]; the order is that of fix fluid/ib's page.

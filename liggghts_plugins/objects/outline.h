@@ -11,7 +11,7 @@ namespace swellflow {
 
 struct OutlineShape {
   double area = 0.0;          ///< signed: negative when the outline is turned inside out
-  double aspect_ratio = 1.0;  ///< of the ellipse with the same second moments, >= 1
+  double aspect_ratio = 1.0;  ///< of the ellipse with the same second moments, 1 … 100; a folded outline may have none and counts as 100
   Vector2 centroid = Vector2::Zero();
 };
 
@@ -35,8 +35,7 @@ inline OutlineShape outline_shape(const std::vector<Vector2> &ring)
   yy = yy / A - centroid.y() * centroid.y();
   xy = xy / A - centroid.x() * centroid.y();
   const double mean = 0.5 * (xx + yy), spread = std::hypot(0.5 * (xx - yy), xy);
-  const double smallest = std::max(mean - spread, 1e-300);
-  return {.area = A, .aspect_ratio = std::sqrt(std::max(mean + spread, smallest) / smallest), .centroid = centroid};
+  return {.area = A, .aspect_ratio = mean > spread ? std::min(100.0, std::sqrt((mean + spread) / (mean - spread))) : 100.0, .centroid = centroid};
 }
 
 /// Area of the regular polygon with its points on a circle of this diameter.

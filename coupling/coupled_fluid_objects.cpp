@@ -1,0 +1,152 @@
+// The objects as the coupled fluid describes them when a step begins: their markers, what these carry, the fluid inside.
+#include "coupling/coupled_fluid.h"
+
+#include <cmath>
+
+#include "liggghts_plugins/fix_objects.h"
+#include "liggghts_plugins/fluid_columns.h"
+
+namespace swellflow {
+
+namespace {
+
+using Topology = LAMMPS_NS::FixObjects::Column;
+
+/// Fluid steps over which the acceleration of the fluid inside is smoothed (exponentially); measured in docs/theory.md.
+constexpr double smoothing_steps = 5.0;
+
+}  // namespace
+
+template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &object, const std::array<double, 3> &gravity)
+{
+  const ObjectMotion motion = motion_of(object, points_);
+  return_inner_fluid(object, motion, gravity);
+  ring_.place(object, points_, markers_per_point(object), options_.retraction * flow_.grid().h);
+  share_carried_force(object);
+  open_accounts(object, object.absorbs ? absorption_rate(object) : 0.0);
+  remember_motion(object, motion);
+}
+
+/// So many that their natural distance is no more than the marker gap that was asked for.
+template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &object) const
+{
+  const double *point = points_.object_point[object.ring[0]];
+  const double natural = point[Topology::RING_LENGTH] * points_.object_point[object.hub][Topology::LAMBDA];
+  return std::max(1, static_cast<int>(std::ceil(natural / (options_.marker_gap * flow_.grid().h) - 1e-9)));
+}
+
+/// What each ring point feels of the forces that all markers carry, and what the hub does, which goes straight into its law.
+template <int Dim> void CoupledFluid<Dim>::share_carried_force(const ObjectPoints &object)
+{
+  felt_.assign(object.n_ring, VecD{});
+  double *hub = points_.owns(object.hub) ? points_.law[object.hub] : nullptr;
+  for (int m = 0; m < object.n_ring * ring_.per_point(); ++m) {
+    const auto &marker = ring_.marker(m);
+    for (int d = 0; d < Dim; ++d) {
+      const double force = points_.carried[object.ring[marker.point]][d] / ring_.per_point();
+      felt_[marker.point][d] += marker.point_weight() * force;
+      felt_[marker.partner][d] += marker.partner_weight() * force;
+      if (hub) hub[FluidLaw::A_X + d] -= marker.share * force;
+    }
+  }
+}
+
+template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &object, double absorption_rate)
+{
+  for (int k = 0; k < object.n_ring; ++k) {
+    const int i = object.ring[k];
+    if (!points_.owns(i)) continue;
+    Account account{i, static_cast<int>(leaving_.size()), ring_.per_point(), {}, felt_[k]};
+    for (int d = 0; d < Dim; ++d) account.carried[d] = points_.carried[i][d];
+    accounts_.push_back(account);
+    for (int m = k * ring_.per_point(); m < (k + 1) * ring_.per_point(); ++m) add_marker(object, m, absorption_rate);
+  }
+}
+
+/// Where the marker is, what it carries, and c: by how much its velocity differs from its point's.
+template <int Dim> void CoupledFluid<Dim>::add_marker(const ObjectPoints &object, int m, double absorption_rate)
+{
+  const auto &marker = ring_.marker(m);
+  const int i = object.ring[marker.point];
+  marker_gap_ = std::max(marker_gap_, ring_.gap(m) / flow_.grid().h);
+  Arrival arrival{marker.x, {}, ring_.spacing(m)};
+  VecD offset;
+  for (int d = 0; d < Dim; ++d) {
+    arrival.carried_impulse[d] = points_.carried[i][d] * dt_ / ring_.per_point();
+    offset[d] = marker.u[d] - points_.v[i][d] - absorption_rate * (marker.x[d] - ring_.centroid()[d]);
+  }
+  leaving_.push_back(arrival);
+  offset_.push_back(offset);
+  to_.push_back(slab_of(marker.x));
+}
+
+template <int Dim> int CoupledFluid<Dim>::slab_of(const VecD &x) const
+{
+  const Grid<Dim> &grid = flow_.grid();
+  const int last = Grid<Dim>::last;
+  const int plane = static_cast<int>(std::floor((x[last] - grid.origin[last]) / grid.h));
+  return grid.rank_of_plane(std::clamp(plane, 0, grid.cells[last] - 1));
+}
+
+template <int Dim> bool CoupledFluid<Dim>::owns_any(const ObjectPoints &object, int &own) const
+{
+  own = object.hub;
+  for (int k = 0; k < object.n_ring && !points_.owns(own); ++k) own = object.ring[k];
+  return points_.owns(own);
+}
+
+/// q at which the fluid crosses the outline: as fast as the area inside truly grows, which contact may hold back, and no faster than the natural size does;
+/// what is beyond, growth or shrinking, the fluid inside resists.
+template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints &object) const
+{
+  int own = 0;
+  if (!owns_any(object, own) || points_.state[own][FluidState::KNOWS_BEFORE] == 0.0) return 0.0;
+  const double lambda = points_.object_point[own][Topology::LAMBDA];
+  const double natural = (lambda - points_.state[own][FluidState::SWELLING]) / (lambda * dt_);
+  return std::clamp(ring_.dilation_rate(), std::min(0.0, natural), std::max(0.0, natural));
+}
+
+/// Force on each point from the fluid inside the object, in shares of mass: rho_f V (a + alpha x r) of its last step, and the weight it takes away.
+/// a is that of the ring, smoothed over some fluid steps: as it is, it would feed the vibrations of objects that lie in contact. Taken from all points, or given to the ring alone, a force that lags by a step would feed the oscillation of hub against ring
+/// (the hub moves against ring and fluid, so the two signs differ); like this it damps it.
+template <int Dim>
+void CoupledFluid<Dim>::return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const std::array<double, 3> &gravity)
+{
+  const double ratio = options_.density * motion.natural_area / motion.mass;
+  for (int k = -1; k < object.n_ring; ++k) {
+    const int i = k < 0 ? object.hub : object.ring[k];
+    if (!points_.owns(i)) continue;
+    double *state = points_.state[i];
+    if (state[FluidState::KNOWS_BEFORE] != 0.0) {
+      const auto smooth = [&](int column, double now, double before) {
+        state[column] += ((now - before) / dt_ - state[column]) / smoothing_steps;
+      };
+      smooth(FluidState::ACCELERATION_X, motion.velocity[0], state[FluidState::RING_VELOCITY_X]);
+      smooth(FluidState::ACCELERATION_Y, motion.velocity[1], state[FluidState::RING_VELOCITY_Y]);
+      smooth(FluidState::SPIN_ACCELERATION, motion.spin, state[FluidState::RING_SPIN]);
+    }
+    const double alpha = state[FluidState::SPIN_ACCELERATION];
+    const double ax = state[FluidState::ACCELERATION_X] - alpha * (points_.x[i][1] - motion.centre[1]) - gravity[0];
+    const double ay = state[FluidState::ACCELERATION_Y] + alpha * (points_.x[i][0] - motion.centre[0]) - gravity[1];
+    state[FluidState::BODY_FORCE_X] = ratio * points_.mass[i] * ax;
+    state[FluidState::BODY_FORCE_Y] = ratio * points_.mass[i] * ay;
+  }
+}
+
+template <int Dim> void CoupledFluid<Dim>::remember_motion(const ObjectPoints &object, const ObjectMotion &motion)
+{
+  for (int k = -1; k < object.n_ring; ++k) {
+    const int i = k < 0 ? object.hub : object.ring[k];
+    if (!points_.owns(i)) continue;
+    double *state = points_.state[i];
+    state[FluidState::KNOWS_BEFORE] = 1.0;
+    state[FluidState::RING_VELOCITY_X] = motion.velocity[0];
+    state[FluidState::RING_VELOCITY_Y] = motion.velocity[1];
+    state[FluidState::RING_SPIN] = motion.spin;
+    state[FluidState::SWELLING] = points_.object_point[i][Topology::LAMBDA];
+  }
+}
+
+template class CoupledFluid<2>;
+
+}  // namespace swellflow
