@@ -21,7 +21,7 @@ namespace swellflow {
 ///
 /// with kappa = rho_f ds h / (beta dt), ds the spacing of the markers, beta the larger of the kernel's scale and the row sum (what comes back at a marker when all are asked to
 /// change by 1: more than the scale only where markers crowd); c the marker's velocity less its point's when the step begins, less q (x - x_c) if the object absorbs, q =
-/// (dA/dt) / (2A) of the outline's actual motion, between 0 and the natural rate. What points receive and what the fluid gives is equal to round-off. The fluid inside an object has
+/// (dA/dt) / (2A) of the outline's actual motion, bounded by absorption_rate. What points receive and what the fluid gives is equal to round-off. The fluid inside an object has
 /// inertia of its own, which is returned: with rho_f V a of the object's last acceleration, as is its weight.
 template <int Dim> class CoupledFluid : public FluidPartner {
 public:

@@ -5,6 +5,7 @@
 
 #include "liggghts_plugins/fix_objects.h"
 #include "liggghts_plugins/fluid_columns.h"
+#include "liggghts_plugins/objects/outline.h"
 
 namespace swellflow {
 
@@ -14,6 +15,9 @@ using Topology = LAMMPS_NS::FixObjects::Column;
 
 /// Fluid steps over which the acceleration of the fluid inside is smoothed (exponentially); measured in docs/theory.md.
 constexpr double smoothing_steps = 5.0;
+
+/// Share of what an object lacks of its natural area that it may drink in a fluid step, beyond its growth.
+constexpr double made_up_per_step = 0.01;
 
 }  // namespace
 
@@ -95,14 +99,17 @@ template <int Dim> bool CoupledFluid<Dim>::owns_any(const ObjectPoints &object, 
   return points_.owns(own);
 }
 
-/// q at which the fluid crosses the outline: as fast as the area inside truly grows, which contact may hold back, and no faster than the natural size does;
-/// what is beyond, growth or shrinking, the fluid inside resists.
+/// q at which the fluid crosses the outline: as fast as the area inside truly changes, which contact may hold back, but between 0 and the rate of the natural size
+/// plus what makes up for a difference from it. What is beyond, growth or shrinking, the fluid inside resists.
 template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints &object) const
 {
   int own = 0;
   if (!owns_any(object, own) || points_.state[own][FluidState::KNOWS_BEFORE] == 0.0) return 0.0;
-  const double lambda = points_.object_point[own][Topology::LAMBDA];
-  const double natural = (lambda - points_.state[own][FluidState::SWELLING]) / (lambda * dt_);
+  const double *point = points_.object_point[own];
+  const double lambda = point[Topology::LAMBDA], area = ring_.outline_area();
+  if (area <= 0.0) return 0.0;
+  const double missing = regular_polygon_area(object.n_ring, lambda * point[Topology::DIAMETER]) / area - 1.0;
+  const double natural = ((lambda - points_.state[own][FluidState::SWELLING]) / lambda + 0.5 * missing * made_up_per_step) / dt_;
   return std::clamp(ring_.dilation_rate(), std::min(0.0, natural), std::max(0.0, natural));
 }
 

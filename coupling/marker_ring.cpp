@@ -12,6 +12,7 @@ void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int 
   per_point_ = per_point;
   markers_.resize(static_cast<std::size_t>(object.n_ring) * per_point);
   from_hub_.resize(markers_.size());
+  outline_.resize(markers_.size());
   const double *x_hub = points.x[object.hub], *u_hub = points.v[object.hub];
   for (int m = 0; m < size(); ++m) {
     Marker &marker = markers_[m];
@@ -20,18 +21,19 @@ void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int 
     marker.partner = (marker.point + (t < 0.0 ? object.n_ring - 1 : 1)) % object.n_ring;
     marker.along = std::abs(t);
     const int i = object.ring[marker.point], j = object.ring[marker.partner];
-    Vec<2> outline;
-    for (int d = 0; d < 2; ++d) outline[d] = (1.0 - marker.along) * points.x[i][d] + marker.along * points.x[j][d];
-    const double distance = std::hypot(outline[0] - x_hub[0], outline[1] - x_hub[1]);
+    for (int d = 0; d < 2; ++d)
+      outline_[m][d] = (1.0 - marker.along) * points.x[i][d] + marker.along * points.x[j][d] - x_hub[d];
+    const double distance = outline_[m].norm();
     marker.share = distance > 0.0 ? std::min(0.5, retraction / distance) : 0.0;
     for (int d = 0; d < 2; ++d) {
-      marker.x[d] = x_hub[d] + (1.0 - marker.share) * (outline[d] - x_hub[d]);
+      from_hub_[m][d] = (1.0 - marker.share) * outline_[m][d];
+      marker.x[d] = x_hub[d] + from_hub_[m][d];
       marker.u[d] = marker.point_weight() * points.v[i][d] + marker.partner_weight() * points.v[j][d] + marker.share * u_hub[d];
-      from_hub_[m][d] = marker.x[d] - x_hub[d];
     }
   }
   const OutlineShape shape = outline_shape(from_hub_);
   area_ = shape.area;
+  outline_area_ = outline_shape(outline_).area;
   centroid_ = {x_hub[0] + shape.centroid.x(), x_hub[1] + shape.centroid.y()};
 }
 

@@ -31,7 +31,8 @@ public:
   int per_point() const { return per_point_; }
   double gap(int m) const;                            ///< distance to the next marker
   double spacing(int m) const { return 0.5 * (gap(m) + gap(before(m))); }
-  const Vec<2> &centroid() const { return centroid_; }
+  const Vec<2> &centroid() const { return centroid_; }   ///< of the area inside the markers
+  double outline_area() const { return outline_area_; }  ///< inside the ring points
 
   /// (dA/dt) / (2A) of the area A inside the markers: sum of u . b / (2A), b being the outward normal times the spacing.
   double dilation_rate() const;
@@ -43,8 +44,8 @@ private:
 
   int per_point_ = 1;
   std::vector<Marker> markers_;
-  std::vector<Vector2> from_hub_;
-  double area_ = 0.0;
+  std::vector<Vector2> from_hub_, outline_;
+  double area_ = 0.0, outline_area_ = 0.0;
   Vec<2> centroid_{};
 };
 

@@ -292,45 +292,41 @@ template <int Dim> double FlowSolver<Dim>::largest_over_ranks(double value) cons
   return value;
 }
 
+template <int Dim> template <class F> void FlowSolver<Dim>::each_cell(F &&f) const
+{
+  for (int k = 0; k < layout_.planes(); ++k)
+    for (int r = 0; r < layout_.rows(); ++r)
+      for (int i = 0; i < layout_.row_length(); ++i) f(layout_.row(k, r) + i);
+}
+
 template <int Dim> double FlowSolver<Dim>::max_divergence() const
 {
   double largest = 0.0;
-  for (int k = 0; k < layout_.planes(); ++k)
-    for (int r = 0; r < layout_.rows(); ++r)
-      for (int i = 0; i < layout_.row_length(); ++i) {
-        double divergence = 0.0;
-        for (int d = 0; d < Dim; ++d) {
-          const double *face = face_velocity_[d].data() + layout_.row(k, r) + i;
-          divergence += face[layout_.stride(d)] - face[0];
-        }
-        largest = std::max(largest, std::abs(divergence));
-      }
+  each_cell([&](std::ptrdiff_t cell) {
+    double divergence = 0.0;
+    for (int d = 0; d < Dim; ++d) divergence += face_velocity_[d][cell + layout_.stride(d)] - face_velocity_[d][cell];
+    largest = std::max(largest, std::abs(divergence));
+  });
   return largest_over_ranks(largest) / grid_.h;
 }
 
 template <int Dim> double FlowSolver<Dim>::max_speed_sum() const
 {
   double largest = 0.0;
-  for (int k = 0; k < layout_.planes(); ++k)
-    for (int r = 0; r < layout_.rows(); ++r)
-      for (int i = 0; i < layout_.row_length(); ++i) {
-        double sum = 0.0;
-        for (int c = 0; c < Dim; ++c) sum += std::abs(u_[c][layout_.row(k, r) + i]);
-        largest = std::max(largest, sum);
-      }
+  each_cell([&](std::ptrdiff_t cell) {
+    double sum = 0.0;
+    for (int c = 0; c < Dim; ++c) sum += std::abs(u_[c][cell]);
+    largest = std::max(largest, sum);
+  });
   return largest_over_ranks(largest);
 }
 
 template <int Dim> double FlowSolver<Dim>::kinetic_energy() const
 {
   double sum = 0.0;
-  for (int k = 0; k < layout_.planes(); ++k)
-    for (int r = 0; r < layout_.rows(); ++r)
-      for (int i = 0; i < layout_.row_length(); ++i)
-        for (int c = 0; c < Dim; ++c) {
-          const double u = u_[c][layout_.row(k, r) + i];
-          sum += u * u;
-        }
+  each_cell([&](std::ptrdiff_t cell) {
+    for (int c = 0; c < Dim; ++c) sum += u_[c][cell] * u_[c][cell];
+  });
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, grid_.comm);
   return 0.5 * fluid_.density * grid_.cell_volume() * sum;
 }

@@ -71,8 +71,9 @@ private:
   void interpolate_to_faces();
   void divergence_plane(int k, double *out, double scale) const;
   void correct(double dt);
-  /// Calls f(d, offset, i_begin, i_end) for each row of interior faces of direction d whose lower cell plane … lies on this rank or just above it.
+  /// f(d, offset, i_begin, i_end) for each row of faces between two cells, those at the upper end of this rank's slab included.
   template <class F> void each_face_row(F &&f) const;
+  template <class F> void each_cell(F &&f) const;  ///< f(offset), own cells
   double largest_over_ranks(double value) const;
 
   Grid<Dim> grid_;
