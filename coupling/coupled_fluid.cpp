@@ -2,26 +2,11 @@
 
 #include <cmath>
 
+#include "coupling/stopwatch.h"
+
 #include "liggghts_plugins/fluid_columns.h"
 
 namespace swellflow {
-
-namespace {
-
-/// Adds the time of its life to `seconds`.
-class Stopwatch {
-public:
-  explicit Stopwatch(double &seconds) : seconds_(seconds), start_(MPI_Wtime()) {}
-  ~Stopwatch() { seconds_ += MPI_Wtime() - start_; }
-  Stopwatch(const Stopwatch &) = delete;
-  Stopwatch &operator=(const Stopwatch &) = delete;
-
-private:
-  double &seconds_;
-  double start_;
-};
-
-}  // namespace
 
 template <int Dim>
 CoupledFluid<Dim>::CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const WallVelocities<Dim> &walls)
@@ -35,13 +20,17 @@ CoupledFluid<Dim>::CoupledFluid(void *lammps, const FluidOptions &options, const
 template <int Dim> void CoupledFluid<Dim>::weigh(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity)
 {
   points_.refresh();
-  dt_ = options_.dem_steps_per_fluid_step * points_.time_step();
-  for (const ObjectPoints &object : objects) return_inner_fluid(object, motion_of(object, points_), gravity);
+  for (const ObjectPoints &object : objects) {
+    int own = 0;
+    if (owns_any(object, own) && points_.state[own][FluidState::KNOWS_BEFORE] == 0.0)
+      return_inner_fluid(object, motion_of(object, points_), gravity);
+  }
 }
 
 template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity)
 {
   points_.refresh();
+  dt_before_ = dt_;
   dt_ = options_.dem_steps_per_fluid_step * points_.time_step();
   describe_markers(objects, gravity);
   arrive();
@@ -60,10 +49,13 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
   collect(objects);
   spread(change_);
   const VecD given = given_to_fluid();
-  for (int d = 0; d < Dim; ++d) given_[d] += given[d];
-  Stopwatch watch(seconds_in_fluid_);
-  flow_.apply_forcing();
-  flow_.project(dt_);
+  for (int d = 0; d < Dim; ++d) balance_[d] = given_[d] + given[d] + received_[d];
+  {
+    Stopwatch watch(seconds_in_fluid_);
+    flow_.apply_forcing();
+    flow_.project(dt_);
+  }
+  measure_slip();
 }
 
 // ---- from the points to the slabs ------------------------------------------------------------------------------------------------------------

@@ -14,15 +14,15 @@ namespace swellflow {
 ///   arrive      the markers of each ring point go to the slabs that hold them
 ///   predict     u~ with the force F_c that each marker gave in the step before, spread at its new place
 ///   interpolate u~ at the markers
-///   hand out    the force on a point is  sum over its markers of kappa (u~ - c - v), less its shares of F_c  while LIGGGHTS takes its N steps
+///   hand out    the force on a point, sum over its markers of kappa (u~ - c - v) less its shares of F_c, while LIGGGHTS takes its N steps
 ///   collect     the impulse I that each point truly received: with it the velocity V that the point had in the mean
 ///   spread      dJ = kappa dt (V + c - u~) for each marker; F_c of the point is then that of before plus the sum of dJ / dt
 ///   project     div u = 0
 ///
-/// with kappa = rho_f ds h / (beta dt), ds the spacing of the markers, beta the larger of the kernel's scale and the row sum (what comes back at a marker when all are asked to
-/// change by 1: more than the scale only where markers crowd); c the marker's velocity less its point's when the step begins, less q (x - x_c) if the object absorbs, q =
-/// (dA/dt) / (2A) of the outline's actual motion, bounded by absorption_rate. What points receive and what the fluid gives is equal to round-off. The fluid inside an object has
-/// inertia of its own, which is returned: with rho_f V a of the object's last acceleration, as is its weight.
+/// with kappa = rho_f ds h / (beta dt), ds the spacing of the markers, beta the larger of the kernel's scale and the row sum (what comes back at a marker when
+/// all are asked to change by 1: more than the scale only where markers crowd); c the marker's velocity less its point's when the step begins, less q (x - x_c)
+/// if the object absorbs, q = (dA/dt) / (2A) of the outline's actual motion, bounded by absorption_rate. What points receive and what the fluid gives is equal to
+/// round-off. The fluid inside an object has inertia of its own, which is returned: with rho_f V a of the object's last acceleration, as is its weight.
 template <int Dim> class CoupledFluid : public FluidPartner {
 public:
   CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const WallVelocities<Dim> &walls);
@@ -77,6 +77,7 @@ private:
   void settle(const Report &report);
   void spread(const std::vector<VecD> &impulses);
   VecD given_to_fluid() const;
+  void measure_slip();
   bool owns_any(const ObjectPoints &object, int &own) const;
 
   FlowSolver<Dim> flow_;
@@ -85,7 +86,7 @@ private:
   MarkerRing ring_;
   Courier to_slabs_, to_homes_;
   FluidOptions options_;
-  double dt_ = 0.0;
+  double dt_ = 0.0, dt_before_ = 0.0;
 
   // On the rank that has the point when the step begins
   std::vector<Account> accounts_;
@@ -100,10 +101,10 @@ private:
   // On the rank of the slab
   std::vector<Arrival> arrived_;
   std::vector<Answer> answers_;
-  std::vector<VecD> x_, u_, carried_, change_, row_sum_;
-  // Balance of this rank's last step: given to the fluid, received by points, sum of |J|
-  VecD given_{}, received_{};
-  double exchanged_ = 0.0, marker_gap_ = 0.0;
+  std::vector<VecD> x_, u_, u_after_, carried_, change_, row_sum_;
+  // This rank's part of the last whole step: given to the fluid, received by points, their sum, sum of |J|; slip; largest divergence
+  VecD given_{}, received_{}, balance_{};
+  double exchanged_ = 0.0, marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, max_divergence_ = 0.0;
   double seconds_in_fluid_ = 0.0, seconds_in_coupling_ = 0.0;
 };
 

@@ -109,13 +109,14 @@ template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints 
   const double lambda = point[Topology::LAMBDA], area = ring_.outline_area();
   if (area <= 0.0) return 0.0;
   const double missing = regular_polygon_area(object.n_ring, lambda * point[Topology::DIAMETER]) / area - 1.0;
-  const double natural = ((lambda - points_.state[own][FluidState::SWELLING]) / lambda + 0.5 * missing * made_up_per_step) / dt_;
+  const double natural =
+      (lambda - points_.state[own][FluidState::SWELLING]) / (lambda * dt_before_) + 0.5 * missing * made_up_per_step / dt_;
   return std::clamp(ring_.dilation_rate(), std::min(0.0, natural), std::max(0.0, natural));
 }
 
-/// Force on each point from the fluid inside the object, in shares of mass: rho_f V (a + alpha x r) of its last step, and the weight it takes away.
-/// a is that of the ring, smoothed over some fluid steps: as it is, it would feed the vibrations of objects that lie in contact. Taken from all points, or given to the ring alone, a force that lags by a step would feed the oscillation of hub against ring
-/// (the hub moves against ring and fluid, so the two signs differ); like this it damps it.
+/// Force on each point from the fluid inside the object, in shares of mass: rho_f V (a + alpha x r), and the weight it takes away. a is that of the ring, smoothed over
+/// some fluid steps. A force that lags feeds what it is in phase with: taken from all points it would feed the oscillation of hub against ring (the hub moves
+/// against ring and fluid, so the two signs differ), unsmoothed the vibrations of objects in contact.
 template <int Dim>
 void CoupledFluid<Dim>::return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const std::array<double, 3> &gravity)
 {
@@ -126,7 +127,7 @@ void CoupledFluid<Dim>::return_inner_fluid(const ObjectPoints &object, const Obj
     double *state = points_.state[i];
     if (state[FluidState::KNOWS_BEFORE] != 0.0) {
       const auto smooth = [&](int column, double now, double before) {
-        state[column] += ((now - before) / dt_ - state[column]) / smoothing_steps;
+        state[column] += ((now - before) / dt_before_ - state[column]) / smoothing_steps;
       };
       smooth(FluidState::ACCELERATION_X, motion.velocity[0], state[FluidState::RING_VELOCITY_X]);
       smooth(FluidState::ACCELERATION_Y, motion.velocity[1], state[FluidState::RING_VELOCITY_Y]);

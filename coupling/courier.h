@@ -9,8 +9,8 @@
 
 namespace swellflow {
 
-/// LIGGGHTS' decomposition and the fluid's slabs are independent of each other, so any rank may have something for any other; only pairs that have
-/// something exchange messages.
+/// LIGGGHTS' decomposition and the fluid's slabs are independent of each other, so any rank may have something for any other. All tell all how many records
+/// will come, one number a pair; the records themselves go only where there are some.
 class Courier {
 public:
   explicit Courier(MPI_Comm comm) : comm_(comm)

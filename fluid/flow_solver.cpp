@@ -299,7 +299,7 @@ template <int Dim> template <class F> void FlowSolver<Dim>::each_cell(F &&f) con
       for (int i = 0; i < layout_.row_length(); ++i) f(layout_.row(k, r) + i);
 }
 
-template <int Dim> double FlowSolver<Dim>::max_divergence() const
+template <int Dim> double FlowSolver<Dim>::largest_divergence_here() const
 {
   double largest = 0.0;
   each_cell([&](std::ptrdiff_t cell) {
@@ -307,7 +307,7 @@ template <int Dim> double FlowSolver<Dim>::max_divergence() const
     for (int d = 0; d < Dim; ++d) divergence += face_velocity_[d][cell + layout_.stride(d)] - face_velocity_[d][cell];
     largest = std::max(largest, std::abs(divergence));
   });
-  return largest_over_ranks(largest) / grid_.h;
+  return largest / grid_.h;
 }
 
 template <int Dim> double FlowSolver<Dim>::max_speed_sum() const

@@ -39,6 +39,7 @@ public:
   void project(double dt);
 
   FaceForcing<Dim> &forcing() { return forcing_; }
+  const FaceForcing<Dim> &forcing() const { return forcing_; }
   /// F, the normal velocities on the faces of this rank's cells.
   const VectorField<Dim> &face_velocity() const { return face_velocity_; }
   /// The same with the ghost planes that markers near the slab's ends reach into. Collective.
@@ -54,8 +55,9 @@ public:
   const Layout<Dim> &layout() const { return layout_; }
   const FluidProperties &fluid() const { return fluid_; }
 
+  double largest_divergence_here() const;  ///< on this rank
   /// Over all cells of all ranks. Collective.
-  double max_divergence() const;
+  double max_divergence() const { return largest_over_ranks(largest_divergence_here()); }
   double max_speed_sum() const;  ///< max over cells of sum_d |u_d|: times dt / h this is the CFL number
   double kinetic_energy() const;
 

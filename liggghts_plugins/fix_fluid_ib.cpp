@@ -12,6 +12,7 @@
 #include "fix_property_atom.h"
 #include "fix_swell.h"
 #include "fluid_columns.h"
+#include "force.h"
 #include "modify.h"
 #include "options.h"
 #include "update.h"
@@ -28,9 +29,12 @@ FixFluidIb::FixFluidIb(LAMMPS *lmp, int narg, char **arg, const FluidPartnerFact
   size_vector = 9;
   global_freq = 1;
   time_depend = 1;
-  for (int i = 0; i < modify->nfix; i++)
-    if (strcmp(modify->fix[i]->style, style) == 0 && strcmp(modify->fix[i]->id, id) != 0)
-      error->fix_error(FLERR, this, ("a scene has one fluid, but fix " + std::string(modify->fix[i]->id) + " is one already: unfix it first").c_str());
+  extscalar = extvector = 0;
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix *other = modify->fix[i];  // null: the fix of the same ID that this one replaces
+    if (other && strcmp(other->style, style) == 0 && strcmp(other->id, id) != 0)
+      error->fix_error(FLERR, this, ("a scene has one fluid, but fix " + std::string(other->id) + " is one already: unfix it first").c_str());
+  }
 }
 
 void FixFluidIb::parse(int narg, char **arg)
@@ -46,8 +50,12 @@ void FixFluidIb::parse(int narg, char **arg)
   options.integer("every", options_.dem_steps_per_fluid_step, Range::at_least(1), "DEM steps in a fluid step");
   options.number("retraction", options_.retraction, Range::not_negative(), "cells", "of the markers, from the ring point towards the hub");
   options.number("marker_gap", options_.marker_gap, Range::positive(), "cells", "largest natural distance of markers along a ring");
+  std::array<bool, 4> named{};
   options.custom("wall", [&](Arguments &words) {
-    const int side = words.choice("wall", {"xlo", "xhi", "ylo", "yhi"});
+    const std::vector<std::string> sides = {"xlo", "xhi", "ylo", "yhi"};
+    const int side = words.choice("wall", sides);
+    if (named[side]) words.fail("each wall is described once, but " + sides[side] + " is here twice: take one of them out");
+    named[side] = true;
     words.choice("wall", {"velocity"});
     for (int d = 0; d < 2; d++) options_.wall_velocity[side][d] = words.number("wall velocity", Range::any(), "length/time");
     if (options_.wall_velocity[side][side / 2] != 0.0)
@@ -99,6 +107,8 @@ void FixFluidIb::init()
   require_settings();
   require_integrators();
   if (!partner_) make_partner();
+  // LIGGGHTS sorts atoms by the cut-off of the pair style, and stops where there is none.
+  if (!force->pair) atom->sortfreq = 0;
 }
 
 void FixFluidIb::make_partner()
@@ -126,6 +136,8 @@ void FixFluidIb::require_settings()
                                     kinds[domain->boundary[d][end]] + "': use 'boundary f f p'";
         error->fix_error(FLERR, this, message.c_str());
       }
+  if (!comm->ghost_velocity)
+    error->fix_error(FLERR, this, "ranks must know the velocities of each other's points, but ghosts have none: add 'communicate single vel yes'");
   for (const char *name : {FluidLaw::NAME, FluidImpulse::NAME, FluidCarried::NAME, FluidState::NAME})
     if (modify->find_fix(name) < 0)
       error->fix_error(FLERR, this, ("the fluid keeps its state in fix '" + std::string(name) + "', which is gone: do not unfix it").c_str());
@@ -158,16 +170,31 @@ void FixFluidIb::setup(int vflag)
 {
   const FixObjects *known = find_objects(lmp);
   if (known) known->require_whole_objects(*this);
-  if (!started_) partner_->weigh(objects(), gravity());
-  started_ = true;
+  require_same_step();
+  partner_->weigh(objects(), gravity());
   post_force(vflag);
 }
 
 /* ---------------------------------------------------------------------- */
 
+/* ----------------------------------------------------------------------
+   the law of a fluid step under way was made for its time step
+------------------------------------------------------------------------- */
+
+void FixFluidIb::require_same_step()
+{
+  if (dem_step_ > 0 && update->dt != dt_) {
+    const std::string message = "the time step may change between fluid steps only, but it goes from " + shown(dt_) + " to " + shown(update->dt) +
+                                " after " + std::to_string(dem_step_) + " of " + std::to_string(options_.dem_steps_per_fluid_step) +
+                                " DEM steps: let the run before end with a multiple of 'every'";
+    error->fix_error(FLERR, this, message.c_str());
+  }
+}
+
 void FixFluidIb::pre_initial_integrate()
 {
   if (dem_step_ > 0) return;
+  dt_ = update->dt;
   // Ghosts lag half a step behind in velocity. All ranks take part, those without ghosts too.
   comm->forward_comm();
   carried_->do_forward_comm();
@@ -189,6 +216,7 @@ void FixFluidIb::end_of_step()
   if (++dem_step_ < options_.dem_steps_per_fluid_step) return;
   dem_step_ = 0;
   partner_->finish_step(objects());
+  reported_step_ = -1;
 }
 
 const std::vector<ObjectPoints> &FixFluidIb::objects()

@@ -33,6 +33,7 @@ class FixFluidIb : public Fix {
   void require_settings();
   void make_partner();
   void require_integrators();
+  void require_same_step();
   FixPropertyAtom *make_property(const char *name, int columns, bool on_ghosts);
   const std::vector<swellflow::ObjectPoints> &objects();
   std::array<double, 3> gravity() const;
@@ -43,7 +44,7 @@ class FixFluidIb : public Fix {
   std::unique_ptr<swellflow::FluidPartner> partner_;
   FixPropertyAtom *carried_ = nullptr;
   std::vector<swellflow::ObjectPoints> objects_;
-  bool started_ = false;
+  double dt_ = 0.0;       // of the fluid step under way
   int dem_step_ = 0;  // within the fluid step; 0: none is under way
   swellflow::FluidReport report_;
   bigint reported_step_ = -1;

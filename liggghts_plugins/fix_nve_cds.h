@@ -5,8 +5,6 @@
 
 namespace LAMMPS_NS {
 
-class FixPropertyAtom;
-
 class FixNveCds : public Fix {
  public:
   FixNveCds(class LAMMPS *, int, char **);
@@ -22,9 +20,8 @@ class FixNveCds : public Fix {
   void kick_in_fluid(int i, double half_step, double mass, const double *law, double *impulse);
   double mass_of(int i) const;
   void drift_a_step();
-
-  FixPropertyAtom *law_, *impulse_;  // null in a scene without a fluid
-  class FixObjects *objects_;        // null in a scene without objects
+  double **per_atom(const char *name) const;
+  void require_one_integrator();
 };
 
 }  // namespace LAMMPS_NS

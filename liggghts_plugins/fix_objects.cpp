@@ -13,6 +13,7 @@
 #include "force.h"
 #include "modify.h"
 #include "progress_line.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -20,7 +21,7 @@ using namespace FixConst;
 /* ---------------------------------------------------------------------- */
 
 FixObjects::FixObjects(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), property_(nullptr), ghost_reach_(0.0), progress_(new ProgressLine(lmp))
+    Fix(lmp, narg, arg), property_(nullptr), counts_{}, ghost_reach_(0.0), progress_(new ProgressLine(lmp))
 {
   if (strcmp(id, ID) != 0)
     error->fix_error(FLERR, this, "this fix is made by create_objects, under the id 'objects': remove it from the script");
@@ -32,7 +33,7 @@ FixObjects::~FixObjects() = default;
 
 int FixObjects::setmask()
 {
-  return PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP;
+  return PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP;
 }
 
 void FixObjects::post_create()
@@ -135,13 +136,48 @@ void FixObjects::list_objects()
   }
   for (std::size_t k = 0; k < objects_.size(); k++) objects_[k].ring = &ring_indices_[first_ring_point[k]];
 
-  int lost_anywhere = 0;
-  MPI_Allreduce(&lost, &lost_anywhere, 1, MPI_INT, MPI_MAX, world);
-  if (lost_anywhere) {
-    const std::string message = "an object must keep all its points, but object (molecule) " + std::to_string(lost_anywhere) +
-                                " has lost one: a point left the box or was deleted; use walls, a shorter time step, or delete whole molecules";
+  Counts now = own_counts();
+  now[TORN] = lost > 0;
+  MPI_Allreduce(MPI_IN_PLACE, now.data(), N_COUNTS, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (now[TORN]) {
+    MPI_Allreduce(MPI_IN_PLACE, &lost, 1, MPI_INT, MPI_MAX, world);
+    const std::string message = "an object must keep all its points, but object (molecule) " + std::to_string(lost) + " has lost one at step " +
+                                std::to_string(update->ntimestep) +
+                                ": a point left the box or was deleted; use walls, a shorter time step, or delete whole molecules between runs";
     error->fix_error(FLERR, this, message.c_str());
   }
+  require_all_points(now);
+}
+
+/* ----------------------------------------------------------------------
+   an object that is gone as a whole leaves no point that misses its
+   partners. LIGGGHTS' own thermo_modify lost ignores it by default.
+------------------------------------------------------------------------- */
+
+FixObjects::Counts FixObjects::own_counts() const
+{
+  Counts counts{};
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!is_point(i)) continue;
+    counts[POINTS]++;
+    if (points()[i][INDEX] >= 0.0) continue;
+    counts[OBJECTS]++;
+    counts[SUM_OF_IDS] += atom->molecule[i];
+  }
+  return counts;
+}
+
+void FixObjects::require_all_points(const Counts &now)
+{
+  if (now[POINTS] < counts_[POINTS]) {
+    const bigint gone = counts_[OBJECTS] - now[OBJECTS];
+    const std::string who = gone == 1 ? "object (molecule) " + std::to_string(counts_[SUM_OF_IDS] - now[SUM_OF_IDS]) + " has"
+                                      : std::to_string(gone) + " objects have";
+    const std::string message = "an object must keep all its points, but " + who + " lost all of them at step " + std::to_string(update->ntimestep) +
+                                ": left the box or deleted; use walls, a shorter time step, or delete whole molecules between runs";
+    error->fix_error(FLERR, this, message.c_str());
+  }
+  counts_ = now;
 }
 
 void FixObjects::setup_pre_neighbor() { pre_neighbor(); }
@@ -155,9 +191,34 @@ void FixObjects::pre_neighbor()
 
 /* ---------------------------------------------------------------------- */
 
-void FixObjects::setup(int) { progress_->start(clock_); }
+void FixObjects::setup(int)
+{
+  fixes_.assign(modify->fix, modify->fix + modify->nfix);
+  progress_->start(clock_);
+}
+
+/* ----------------------------------------------------------------------
+   LIGGGHTS calls fixes by their numbers, which it looks up at the start of
+   a run, but not with 'pre no': after an unfix it would call others
+------------------------------------------------------------------------- */
+
+void FixObjects::require_same_fixes()
+{
+  const auto known = static_cast<int>(fixes_.size());
+  if (known <= modify->nfix && std::equal(fixes_.begin(), fixes_.end(), modify->fix)) return;
+  error->fix_error(FLERR, this, ("fixes must stay during a run and those that follow it with 'pre no', but one was taken out before step " +
+                                 std::to_string(update->ntimestep) + ": leave out 'pre no' in the first run after an 'unfix'").c_str());
+}
+
+void FixObjects::pre_initial_integrate() { require_same_fixes(); }
 void FixObjects::end_of_step() { progress_->step(clock_); }
-void FixObjects::post_run() { progress_->finish(clock_); }
+
+void FixObjects::post_run()
+{
+  progress_->finish(clock_);
+  // Points that are not a number do not trip LIGGGHTS' check of distances, so that there may have been no reneighbouring.
+  require_finite_points();
+}
 
 /* ---------------------------------------------------------------------- */
 

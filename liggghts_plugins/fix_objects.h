@@ -2,6 +2,7 @@
 // enough for objects that grow. create_objects makes it, or the first of our fixes after a read_restart.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,6 +44,7 @@ class FixObjects : public Fix {
   void setup_pre_exchange() override;
   void setup_pre_neighbor() override;
   void setup(int) override;
+  void pre_initial_integrate() override;
   void pre_exchange() override;
   void pre_neighbor() override;
   void end_of_step() override;
@@ -73,9 +75,30 @@ class FixObjects : public Fix {
   bool represents_its_object(int i) const;
   bool find_points(int i, int &hub, int *ring) const;
   void list_objects();
+
+  enum Count { POINTS, OBJECTS, SUM_OF_IDS, TORN, N_COUNTS };
+  using Counts = std::array<bigint, N_COUNTS>;
+  Counts own_counts() const;
+  void require_all_points(const Counts &now);
+  void require_same_fixes();
+
   void require_exclusion();
-  double widest_own_object() const;
-  double widest_unwrapped_object() const;
+
+  struct Largest { double value; int object; };  // laid out as MPI_DOUBLE_INT
+  enum Measure { ACROSS_X, ACROSS_Y, REACH, N_MEASURES };
+  using Extents = std::array<Largest, N_MEASURES>;
+  struct Part;
+  static void include(Extents &largest, const Extents &other);
+  static void merge(Part &whole, const Part &part);
+  void add_point(Part &part, int i, const double *x) const;
+  std::vector<Part> unwrapped_parts() const;
+  Extents extents_of_own_objects() const;
+  Extents extents_of_unwrapped_objects() const;
+  bool is_finite(int i) const;
+  void require_finite_points();
+  void fail_not_finite(int object);
+  void require_sane(Extents &largest);
+  bool widest_allowed(int d, double &limit) const;
   bool widen_cutoffs(double widest_object);
   bool raise_radius_caps();
   void renew_neighbor_lists();
@@ -83,6 +106,8 @@ class FixObjects : public Fix {
   FixPropertyAtom *property_;
   std::vector<swellflow::ObjectPoints> objects_;
   std::vector<int> ring_indices_;
+  Counts counts_;                   // on all ranks, when the run or the last reneighbouring began
+  std::vector<const Fix *> fixes_;  // when the run began
   std::vector<double> radius_cap_;  // per type, what max_rad returns
   double ghost_reach_;
   swellflow::StepClock clock_;

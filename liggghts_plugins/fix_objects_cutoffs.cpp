@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
+#include <unordered_map>
 
 #include "atom.h"
 #include "comm.h"
@@ -16,6 +18,7 @@
 #include "neighbor.h"
 #include "options.h"
 #include "pair.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 
@@ -23,52 +26,182 @@ namespace {
 
 // A cap above the radius, and a reach above the extent, spares a new set-up at each reneighbouring of a growing object.
 constexpr double headroom = 1.05;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <typename T>
+std::vector<T> from_all_ranks(const std::vector<T> &own, MPI_Comm world)
+{
+  int ranks, size = own.size();
+  MPI_Comm_size(world, &ranks);
+  std::vector<int> sizes(ranks), offsets(ranks, 0);
+  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
+  for (int rank = 1; rank < ranks; rank++) offsets[rank] = offsets[rank - 1] + sizes[rank - 1];
+  std::vector<T> all(offsets.back() + sizes.back());
+  MPI_Datatype record;
+  MPI_Type_contiguous(sizeof(T), MPI_BYTE, &record);
+  MPI_Type_commit(&record);
+  MPI_Allgatherv(own.data(), size, record, all.data(), sizes.data(), offsets.data(), record, world);
+  MPI_Type_free(&record);
+  return all;
+}
 
 }  // namespace
 
 double FixObjects::max_rad(int type) { return radius_cap_[type]; }
 
-double FixObjects::widest_own_object() const
-{
-  double farthest = 0.0;
-  for (const auto &object : objects_) {
-    if (!owns(object)) continue;
-    const double *hub = atom->x[object.hub];
-    for (int k = 0; k < object.n_ring; k++) {
-      const double *point = atom->x[object.ring[k]];
-      farthest = std::max(farthest, std::hypot(point[0] - hub[0], point[1] - hub[1]));
-    }
+/* ----------------------------------------------------------------------
+   what one rank knows of an object
+------------------------------------------------------------------------- */
+
+struct FixObjects::Part {
+  int hub_tag, molecule, missing_points;
+  bool finite = true;
+  double low[2] = {infinity, infinity}, high[2] = {-infinity, -infinity};
+
+  Extents extents(double reach) const
+  {
+    const double x = high[0] - low[0], y = high[1] - low[1];
+    if (!finite) return {{{infinity, molecule}, {infinity, molecule}, {infinity, molecule}}};
+    return {{{x, molecule}, {y, molecule}, {reach, molecule}}};
   }
-  return 2.0 * farthest;
+  Extents extents() const { return extents(std::hypot(high[0] - low[0], high[1] - low[1])); }
+};
+
+bool FixObjects::is_finite(int i) const
+{
+  const double *x = atom->x[i], *v = atom->v[i];
+  return std::isfinite(x[0] + x[1] + x[2]) && (i >= atom->nlocal || std::isfinite(v[0] + v[1] + v[2]));
+}
+
+void FixObjects::add_point(Part &part, int i, const double *x) const
+{
+  part.missing_points--;
+  part.finite = part.finite && is_finite(i);
+  for (int d = 0; d < 2; d++) {
+    part.low[d] = std::min(part.low[d], x[d]);
+    part.high[d] = std::max(part.high[d], x[d]);
+  }
+}
+
+void FixObjects::merge(Part &whole, const Part &part)
+{
+  whole.finite = whole.finite && part.finite;
+  for (int d = 0; d < 2; d++) {
+    whole.low[d] = std::min(whole.low[d], part.low[d]);
+    whole.high[d] = std::max(whole.high[d], part.high[d]);
+  }
+}
+
+void FixObjects::include(Extents &largest, const Extents &other)
+{
+  for (int k = 0; k < N_MEASURES; k++) {
+    const bool first_of_equals = other[k].value == largest[k].value && other[k].object < largest[k].object;
+    if (other[k].value > largest[k].value || first_of_equals) largest[k] = other[k];
+  }
 }
 
 /* ----------------------------------------------------------------------
-   before a run there are no ghosts: the extents come from all ranks
+   during a run: of every object with an own point. Own points have moved
+   since ghosts were updated.
 ------------------------------------------------------------------------- */
 
-double FixObjects::widest_unwrapped_object() const
+FixObjects::Extents FixObjects::extents_of_own_objects() const
 {
-  int largest_id = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (is_point(i)) largest_id = std::max(largest_id, atom->molecule[i]);
-  MPI_Allreduce(MPI_IN_PLACE, &largest_id, 1, MPI_INT, MPI_MAX, world);
+  Extents largest{};
+  for (const auto &object : objects_) {
+    const double *hub = atom->x[object.hub];
+    Part part{.hub_tag = atom->tag[object.hub], .molecule = atom->molecule[object.hub], .missing_points = object.n_ring + 1};
+    add_point(part, object.hub, hub);
+    double farthest = 0.0;
+    for (int k = 0; k < object.n_ring; k++) {
+      const double *point = atom->x[object.ring[k]];
+      add_point(part, object.ring[k], point);
+      farthest = std::max(farthest, std::hypot(point[0] - hub[0], point[1] - hub[1]));
+    }
+    include(largest, part.extents(2.0 * farthest));
+  }
+  return largest;
+}
 
-  std::vector<double> high(4 * (largest_id + 1), -1e300);  // of x, -x, y, -y
+/* ----------------------------------------------------------------------
+   before a run there are no ghosts: objects that have points on several
+   ranks are put together from their parts, on all ranks
+------------------------------------------------------------------------- */
+
+std::vector<FixObjects::Part> FixObjects::unwrapped_parts() const
+{
+  std::vector<Part> parts;
+  std::unordered_map<int, std::size_t> part_of;  // by the hub's tag
   for (int i = 0; i < atom->nlocal; i++) {
     if (!is_point(i)) continue;
+    const auto [found, is_new] = part_of.try_emplace(tag_of_hub(i), parts.size());
+    if (is_new)
+      parts.push_back({.hub_tag = found->first, .molecule = atom->molecule[i], .missing_points = static_cast<int>(points()[i][RING_POINTS]) + 1});
     double x[3];
     domain->unmap(atom->x[i], atom->image[i], x);
-    double *extent = &high[4 * atom->molecule[i]];
-    for (int d = 0; d < 2; d++) {
-      extent[2 * d] = std::max(extent[2 * d], x[d]);
-      extent[2 * d + 1] = std::max(extent[2 * d + 1], -x[d]);
-    }
+    add_point(parts[found->second], i, x);
   }
-  MPI_Allreduce(MPI_IN_PLACE, high.data(), high.size(), MPI_DOUBLE, MPI_MAX, world);
-  double widest = 0.0;
-  for (std::size_t k = 0; k < high.size(); k += 4)
-    if (high[k] > -1e300) widest = std::max(widest, std::hypot(high[k] + high[k + 1], high[k + 2] + high[k + 3]));
-  return widest;
+  return parts;
+}
+
+FixObjects::Extents FixObjects::extents_of_unwrapped_objects() const
+{
+  Extents largest{};
+  std::vector<Part> torn;
+  for (const Part &part : unwrapped_parts()) {
+    if (part.missing_points > 0) torn.push_back(part);
+    else include(largest, part.extents());
+  }
+  std::unordered_map<int, Part> wholes;
+  for (const Part &part : from_all_ranks(torn, world)) merge(wholes.try_emplace(part.hub_tag, part).first->second, part);
+  for (const auto &[tag, whole] : wholes) include(largest, whole.extents());
+  return largest;
+}
+
+/* ----------------------------------------------------------------------
+   The extents of all ranks' objects, or the end: what has run away would
+   make ghosts without end.
+------------------------------------------------------------------------- */
+
+bool FixObjects::widest_allowed(int d, double &limit) const
+{
+  const bool fixed = domain->boundary[d][0] == 1 && domain->boundary[d][1] == 1;
+  // Sides that follow the atoms do so at a reneighbouring only.
+  limit = domain->prd[d] * (domain->periodicity[d] ? 0.5 : fixed ? 1.0 : 2.0);
+  return domain->periodicity[d];
+}
+
+void FixObjects::fail_not_finite(int object)
+{
+  error->fix_error(FLERR, this, ("points must have finite positions and velocities, but object (molecule) " + std::to_string(object) +
+                                 " has one that is infinite or not a number at step " + std::to_string(update->ntimestep) +
+                                 ": use a shorter time step or softer springs").c_str());
+}
+
+void FixObjects::require_finite_points()
+{
+  Largest bad{0.0, 0};
+  for (int i = 0; i < atom->nlocal; i++)
+    if (is_point(i) && !is_finite(i)) bad = {1.0, atom->molecule[i]};
+  MPI_Allreduce(MPI_IN_PLACE, &bad, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  if (bad.value > 0.0) fail_not_finite(bad.object);
+}
+
+void FixObjects::require_sane(Extents &largest)
+{
+  MPI_Allreduce(MPI_IN_PLACE, largest.data(), N_MEASURES, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  if (std::isinf(largest[REACH].value)) fail_not_finite(largest[REACH].object);
+  for (int d = 0; d < 2; d++) {
+    const Largest &across = largest[d == 0 ? ACROSS_X : ACROSS_Y];
+    double limit;
+    const bool periodic = widest_allowed(d, limit);
+    if (across.value < limit) continue;
+    const std::string message = std::string("an object must be smaller than ") + (periodic ? "half a periodic box" : "the box") +
+                                ", but object (molecule) " + std::to_string(across.object) + " is " + swellflow::rounded(across.value) +
+                                " wide in " + "xy"[d] + " in a box of " + swellflow::rounded(domain->prd[d]) + " at step " +
+                                std::to_string(update->ntimestep) + ": use a shorter time step or softer springs, or make the box larger";
+    error->fix_error(FLERR, this, message.c_str());
+  }
 }
 
 bool FixObjects::raise_radius_caps()
@@ -128,21 +261,18 @@ bool FixObjects::widen_cutoffs(double widest_object)
 void FixObjects::setup_pre_exchange()
 {
   require_exclusion();
-  const double widest = widest_unwrapped_object();
-  for (int d = 0; d < 2; d++)
-    if (domain->periodicity[d] && widest >= 0.5 * domain->prd[d]) {
-      const std::string message = "an object must be smaller than half a periodic box, but the widest is " + swellflow::shown(widest) +
-                                  " in a box of " + swellflow::shown(domain->prd[d]) + ": make the box larger";
-      error->fix_error(FLERR, this, message.c_str());
-    }
-  widen_cutoffs(widest);
+  counts_ = own_counts();
+  MPI_Allreduce(MPI_IN_PLACE, counts_.data(), N_COUNTS, MPI_LMP_BIGINT, MPI_SUM, world);
+  Extents largest = extents_of_unwrapped_objects();
+  require_sane(largest);
+  widen_cutoffs(largest[REACH].value);
 }
 
 void FixObjects::pre_exchange()
 {
-  double widest = widest_own_object();
-  MPI_Allreduce(MPI_IN_PLACE, &widest, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (!widen_cutoffs(widest)) return;
+  Extents largest = extents_of_own_objects();
+  require_sane(largest);
+  if (!widen_cutoffs(largest[REACH].value)) return;
   // A mesh at rest sends its elements to neighbouring ranks at the start of a run only, as far as the cut-off was then.
   for (int i = 0; i < modify->nfix; i++)
     if (strncmp(modify->fix[i]->style, "mesh/", 5) == 0) modify->fix[i]->setup_pre_force(0);

@@ -54,13 +54,13 @@ struct FieldInfo {
 class FluidPartner {
 public:
   virtual ~FluidPartner() = default;
-  /// Before the very first step: the weight that the fluid takes away from the points. Collective.
+  /// Before a run: points that have been in no fluid step yet feel their buoyancy from the start. Collective.
   virtual void weigh(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity) = 0;
   /// Before the first of N DEM steps: the fluid is predicted and the points' drag law for these steps is set. Collective.
   virtual void begin_step(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity) = 0;
   /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Collective.
   virtual void finish_step(const std::vector<ObjectPoints> &objects) = 0;
-  virtual FluidReport report() = 0;  ///< collective
+  virtual FluidReport report() = 0;  ///< of the last whole fluid step; collective
   virtual FieldBlock field_block() const = 0;
   virtual std::vector<FieldInfo> fields() const = 0;
   virtual void copy_field(const std::string &name, std::vector<double> &values) const = 0;  ///< components interleaved

@@ -139,6 +139,34 @@ TEST(Script, TheFluidCanBeTakenOutAndPutBack)
   EXPECT_LT(scene.water(8), 1e-12);
 }
 
+TEST(Script, TheFluidCanBeIssuedAgainUnderItsId)
+{
+  CoupledScene scene;
+  scene.cavity(2, 0.2, 1500.0, 1000.0, 32, 4, 5e-3);
+  scene.script("run 40\nfix water all fluid/ib cells 32 32 density 1000 viscosity 0.01 every 4\nrun 40\n");
+  EXPECT_LT(scene.water(8), 1e-12);
+}
+
+TEST(Script, ValuesAreThoseOfTheLastWholeFluidStep)
+{
+  CoupledScene scene;
+  scene.cavity(2, 0.2, 1500.0, 1000.0, 32, 4, 5e-3);
+  scene.script("run 40\n");
+  std::array<double, 9> whole;
+  for (int n = 1; n <= 9; n++) whole[n - 1] = scene.water(n);
+  scene.script("run 2\n");
+  for (int n : {1, 2, 3, 6, 7, 8}) EXPECT_EQ(scene.water(n), whole[n - 1]) << n;
+}
+
+TEST(Script, AFluidAloneNeedsNoPairStyle)
+{
+  CoupledScene scene;
+  scene.script("units si\ndimension 2\natom_style hybrid granular molecular\natom_modify map array\nboundary f f p\nnewton off\n"
+               "communicate single vel yes\nregion box block 0 1 0 1 -0.01 0.01 units box\ncreate_box 1 box\n"
+               "fix water all fluid/ib cells 32 32 density 1000 viscosity 0.01 wall yhi velocity 0.1 0\ntimestep 0.01\nrun 20\n");
+  EXPECT_GT(scene.water(5), 0.0);
+}
+
 // Objects of the fluid's own density feel no weight; gravity never enters the fluid.
 TEST(Gravity, BuoyancyTakesTheFluidsWeightAway)
 {
