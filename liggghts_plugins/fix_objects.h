@@ -98,7 +98,7 @@ class FixObjects : public Fix {
   void require_finite_points();
   void fail_not_finite(int object);
   void require_sane(Extents &largest);
-  bool widest_allowed(int d, double &limit) const;
+  double widest_allowed(int d) const;
   bool widen_cutoffs(double widest_object);
   bool raise_radius_caps();
   void renew_neighbor_lists();

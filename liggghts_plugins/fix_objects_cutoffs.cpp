@@ -163,12 +163,11 @@ FixObjects::Extents FixObjects::extents_of_unwrapped_objects() const
    make ghosts without end.
 ------------------------------------------------------------------------- */
 
-bool FixObjects::widest_allowed(int d, double &limit) const
+double FixObjects::widest_allowed(int d) const
 {
   const bool fixed = domain->boundary[d][0] == 1 && domain->boundary[d][1] == 1;
   // Sides that follow the atoms do so at a reneighbouring only.
-  limit = domain->prd[d] * (domain->periodicity[d] ? 0.5 : fixed ? 1.0 : 2.0);
-  return domain->periodicity[d];
+  return domain->prd[d] * (domain->periodicity[d] ? 0.5 : fixed ? 1.0 : 2.0);
 }
 
 void FixObjects::fail_not_finite(int object)
@@ -193,10 +192,8 @@ void FixObjects::require_sane(Extents &largest)
   if (std::isinf(largest[REACH].value)) fail_not_finite(largest[REACH].object);
   for (int d = 0; d < 2; d++) {
     const Largest &across = largest[d == 0 ? ACROSS_X : ACROSS_Y];
-    double limit;
-    const bool periodic = widest_allowed(d, limit);
-    if (across.value < limit) continue;
-    const std::string message = std::string("an object must be smaller than ") + (periodic ? "half a periodic box" : "the box") +
+    if (across.value < widest_allowed(d)) continue;
+    const std::string message = std::string("an object must be smaller than ") + (domain->periodicity[d] ? "half a periodic box" : "the box") +
                                 ", but object (molecule) " + std::to_string(across.object) + " is " + swellflow::rounded(across.value) +
                                 " wide in " + "xy"[d] + " in a box of " + swellflow::rounded(domain->prd[d]) + " at step " +
                                 std::to_string(update->ntimestep) + ": use a shorter time step or softer springs, or make the box larger";

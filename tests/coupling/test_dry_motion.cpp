@@ -85,3 +85,16 @@ TEST(DryMotion, HeldPointsStay)
   EXPECT_EQ(state.at(1)[1], 0.5);
   EXPECT_NEAR(state.at(12)[1], 0.2 - 0.5 * 9.81 * 1e-4, 1e-7);
 }
+
+TEST(DryMotion, ALawThatWasTakenOutIsNotFelt)
+{
+  DryScene scene;
+  scene.box("0 1 0 1");
+  scene.script("create_atoms 1 single 0.5 0.5 0 units box\nset group all diameter 0.1 density 1000\nfix move all nve/cds\n"
+               "fix fluid_law all property/atom fluid_law vector yes no no 0 1 0 0\n"
+               "fix fluid_impulse all property/atom fluid_impulse vector yes no no 0 0 0\ntimestep 1e-3\nrun 10\n");
+  const double gained = scene.state().at(1)[2];
+  EXPECT_GT(gained, 0.0);
+  scene.script("unfix fluid_impulse\nunfix fluid_law\nrun 10 pre no\nrun 10\n");
+  EXPECT_EQ(scene.state().at(1)[2], gained);
+}
