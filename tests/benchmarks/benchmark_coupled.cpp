@@ -69,11 +69,3 @@ void coupled_step(benchmark::State &state)
 BENCHMARK(coupled_step)->Arg(4)->Arg(16)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  MPI_Finalize();
-}

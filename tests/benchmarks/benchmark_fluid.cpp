@@ -147,11 +147,3 @@ BENCHMARK(markers_interpolate)->Arg(512)->Unit(benchmark::kMicrosecond);
 BENCHMARK(markers_spread)->Arg(512)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-
-int main(int argc, char **argv)
-{
-  MPI_Init(&argc, &argv);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  MPI_Finalize();
-}
