@@ -8,31 +8,88 @@
 
 namespace swellflow {
 
-template <int Dim>
-CoupledFluid<Dim>::CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const WallVelocities<Dim> &walls)
-    : flow_(grid, {options.density, options.kinematic_viscosity}, walls), markers_(flow_.grid(), flow_.layout()), points_(lammps),
-      to_slabs_(grid.comm), to_homes_(grid.comm), options_(options)
+namespace {
+
+template <int Dim> Vec<Dim> first_of(const Triple &triple)
 {
+  Vec<Dim> result;
+  for (int d = 0; d < Dim; ++d) result[d] = triple[d];
+  return result;
+}
+
+template <int Dim> std::array<bool, Dim> controlled(const FluidOptions &options)
+{
+  std::array<bool, Dim> result;
+  for (int d = 0; d < Dim; ++d) result[d] = options.controlled[d];
+  return result;
+}
+
+Advection advection_of(const FluidOptions &options)
+{
+  switch (options.advection) {
+    case AdvectionScheme::bounded: return Advection::bounded;
+    case AdvectionScheme::none: return Advection::none;
+    default: return Advection::central;
+  }
+}
+
+Boundary boundary_of(SideKind kind)
+{
+  switch (kind) {
+    case SideKind::slip: return Boundary::slip;
+    case SideKind::periodic: return Boundary::periodic;
+    case SideKind::inflow: return Boundary::inflow;
+    case SideKind::parabolic_inflow: return Boundary::parabolic_inflow;
+    case SideKind::outflow: return Boundary::outflow;
+    default: return Boundary::wall;
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+CoupledFluid<Dim>::CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const Boundaries<Dim> &boundaries)
+    : flow_(grid, {options.density, options.kinematic_viscosity}, boundaries, advection_of(options)),
+      markers_(make_markers<Dim>(options.kernel, flow_.grid(), flow_.layout())), flow_rate_(controlled<Dim>(options)), points_(lammps), to_slabs_(grid.comm), to_homes_(grid.comm), options_(options)
+{
+  if (options.forcing == ForcingScheme::implicit) marker_solver_ = std::make_unique<MarkerSolver<Dim>>(flow_.grid(), flow_.layout(), *markers_);
+  flow_.start_with_velocity(first_of<Dim>(options.initial_velocity));
 }
 
 // ---- the step --------------------------------------------------------------------------------------------------------------------------------
 
-template <int Dim> void CoupledFluid<Dim>::weigh(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity)
+template <int Dim> void CoupledFluid<Dim>::weigh(const std::vector<ObjectPoints> &objects, const Triple &gravity)
 {
   points_.refresh();
   for (const ObjectPoints &object : objects) {
-    int own = 0;
-    if (owns_any(object, own) && points_.state[own][FluidState::KNOWS_BEFORE] == 0.0)
+    const int own = any_own(object);
+    if (own >= 0 && points_.state[own][FluidState::KNOWS_BEFORE] == 0.0)
       return_inner_fluid(object, motion_of(object, points_), gravity);
   }
 }
 
-template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity)
+/// As many as the CFL number allows. Growth is gradual and waits until it pays: a new length means new factors for the viscous solves.
+template <int Dim> int CoupledFluid<Dim>::choose_dem_steps(double dem_dt)
+{
+  const int most = options_.dem_steps_per_fluid_step;
+  if (options_.cfl <= 0.0) return most;
+  constexpr double pays = 1.2, largest_growth = 1.5;
+  const double speed = flow_.max_speed_sum();
+  const double allowed = speed > 0.0 ? options_.cfl * flow_.grid().h / (speed * dem_dt) : most;
+  const int wanted = std::max(1, static_cast<int>(std::min<double>(most, allowed)));
+  if (dem_steps_ == 0 || wanted < dem_steps_) return wanted;
+  if (wanted < pays * dem_steps_ && wanted < most) return dem_steps_;
+  return std::min(wanted, std::max(dem_steps_ + 1, static_cast<int>(largest_growth * dem_steps_)));
+}
+
+template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps)
 {
   points_.refresh();
   dt_before_ = dt_;
-  dt_ = options_.dem_steps_per_fluid_step * points_.time_step();
-  describe_markers(objects, gravity);
+  dem_steps_ = dem_steps;
+  dt_ = dem_steps * points_.time_step();
+  this->drive(drive);
+  describe_markers(objects, drive.gravity);
   arrive();
   spread(carried_);
   given_ = given_to_fluid();
@@ -47,20 +104,29 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
 {
   points_.refresh();
   collect(objects);
-  spread(change_);
-  const VecD given = given_to_fluid();
-  for (int d = 0; d < Dim; ++d) balance_[d] = given_[d] + given[d] + received_[d];
+  force(change_);
+  tighten();
+  for (int d = 0; d < Dim; ++d) balance_[d] = given_[d] + received_[d] + owed_balance_[d];
   {
     Stopwatch watch(seconds_in_fluid_);
-    flow_.apply_forcing();
     flow_.project(dt_);
   }
+  last_dt_ = dt_;
+  last_body_force_ = body_force_;
   measure_slip();
+}
+
+template <int Dim> void CoupledFluid<Dim>::drive(const FluidDrive &drive)
+{
+  for (int side = 0; side < 2 * Dim; ++side) flow_.set_side_velocity(side, first_of<Dim>(drive.side_velocity[side]));
+  body_force_ = first_of<Dim>(drive.body_force);
+  if (flow_rate_.active()) flow_rate_.update(flow_.mean_velocity(), first_of<Dim>(drive.mean_velocity), dt_, body_force_);
+  flow_.set_body_force(body_force_);
 }
 
 // ---- from the points to the slabs ------------------------------------------------------------------------------------------------------------
 
-template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity)
+template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<ObjectPoints> &objects, const Triple &gravity)
 {
   Stopwatch watch(seconds_in_coupling_);
   accounts_.clear();
@@ -68,6 +134,7 @@ template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<Ob
   offset_.clear();
   to_.clear();
   marker_gap_ = 0.0;
+  owed_balance_ = {};
   for (int i = 0; i < points_.n_own(); ++i) {
     std::fill_n(points_.law[i], static_cast<int>(FluidLaw::N_COLUMNS), 0.0);
     std::fill_n(points_.impulse[i], FluidImpulse::N_COLUMNS, 0.0);
@@ -80,12 +147,14 @@ template <int Dim> void CoupledFluid<Dim>::arrive()
   Stopwatch watch(seconds_in_coupling_);
   to_slabs_.deliver(leaving_, to_, arrived_);
   x_.clear();
+  spacing_.clear();
   carried_.clear();
   for (const Arrival &arrival : arrived_) {
     x_.push_back(arrival.x);
+    spacing_.push_back(arrival.spacing);
     carried_.push_back(arrival.carried_impulse);
   }
-  markers_.place(x_);
+  markers_->place(x_);
   set_kappa();
 }
 
@@ -96,12 +165,12 @@ template <int Dim> void CoupledFluid<Dim>::set_kappa()
   row_sum_.resize(arrived_.size());
   for (std::size_t l = 0; l < arrived_.size(); ++l) row_sum_[l].fill(per_spacing * arrived_[l].spacing);
   flow_.forcing().clear();
-  markers_.spread(row_sum_, options_.density, flow_.forcing());
+  markers_->spread(row_sum_, options_.density, flow_.forcing());
   flow_.forcing().complete();
-  markers_.interpolate(flow_.forcing().field(), row_sum_);
+  markers_->interpolate(flow_.forcing().field(), row_sum_);
   answers_.resize(arrived_.size());
   for (std::size_t l = 0; l < arrived_.size(); ++l) {
-    const double beta = std::max(Roma1999::scale, *std::max_element(row_sum_[l].begin(), row_sum_[l].end()));
+    const double beta = std::max(markers_->scale(), *std::max_element(row_sum_[l].begin(), row_sum_[l].end()));
     answers_[l].kappa = per_spacing * arrived_[l].spacing / (beta * dt_);
   }
 }
@@ -110,7 +179,7 @@ template <int Dim> void CoupledFluid<Dim>::spread(const std::vector<VecD> &impul
 {
   Stopwatch watch(seconds_in_coupling_);
   flow_.forcing().clear();
-  markers_.spread(impulses, options_.density, flow_.forcing());
+  markers_->spread(impulses, options_.density, flow_.forcing());
   flow_.forcing().complete();
 }
 
@@ -119,7 +188,7 @@ template <int Dim> void CoupledFluid<Dim>::spread(const std::vector<VecD> &impul
 template <int Dim> void CoupledFluid<Dim>::hand_out()
 {
   Stopwatch watch(seconds_in_coupling_);
-  markers_.interpolate(flow_.face_velocity_around(), u_);
+  markers_->interpolate(flow_.face_velocity_around(), u_);
   for (std::size_t l = 0; l < u_.size(); ++l) answers_[l].u = u_[l];
   to_slabs_.reply(answers_, answers_here_);
 
@@ -148,8 +217,8 @@ template <int Dim> void CoupledFluid<Dim>::collect(const std::vector<ObjectPoint
   exchanged_ = 0.0;
   for (const ObjectPoints &object : objects)
     for (int k = -1; k < object.n_ring; ++k) {
-      const int i = k < 0 ? object.hub : object.ring[k];
-      if (!points_.owns(i)) continue;
+      const int i = points_.own_index(k < 0 ? object.hub : object.ring[k]);
+      if (i < 0) continue;
       const double *impulse = points_.impulse[i], *state = points_.state[i];
       for (int d = 0; d < Dim; ++d) received_[d] += impulse[d];
       if (state[FluidState::HAS_MARKERS] == 0.0) continue;
@@ -165,7 +234,7 @@ template <int Dim> void CoupledFluid<Dim>::collect(const std::vector<ObjectPoint
   for (const Report &report : arrived_reports_) settle(report);
   to_homes_.reply(new_force_, new_force_here_);
   for (std::size_t n = 0; n < reporting_.size(); ++n)
-    for (int d = 0; d < Dim; ++d) points_.carried[reporting_[n]][d] = new_force_here_[n][d];
+    for (int d = 0; d < Dim; ++d) points_.carried[reporting_[n]][FluidCarried::FORCE_X + d] = new_force_here_[n][d];
   to_slabs_.deliver_again(leaving_change_, change_);
 }
 
@@ -205,10 +274,10 @@ std::unique_ptr<FluidPartner> make_coupled_fluid(void *lammps, const FluidOption
                                 std::to_string(options.cells[1]) + "' on a box of " + std::to_string(high[0] - low[0]) + " x " +
                                 std::to_string(high[1] - low[1]) + " makes them " + std::to_string(h) + " x " + std::to_string(h_y) +
                                 "; choose numbers of cells in the ratio of the box's sides");
-  const Grid<2> grid({options.cells[0], options.cells[1]}, {low[0], low[1]}, h, engine.communicator());
-  WallVelocities<2> walls{};
-  for (int side = 0; side < 4; ++side) walls[side] = {options.wall_velocity[side][0], options.wall_velocity[side][1]};
-  return std::make_unique<CoupledFluid<2>>(lammps, options, grid, walls);
+  Boundaries<2> boundaries;
+  for (int side = 0; side < 4; ++side) boundaries.kind[side] = boundary_of(options.sides[side]);
+  const Grid<2> grid({options.cells[0], options.cells[1]}, {low[0], low[1]}, h, engine.communicator(), boundaries.periodic());
+  return std::make_unique<CoupledFluid<2>>(lammps, options, grid, boundaries);
 }
 
 }  // namespace swellflow

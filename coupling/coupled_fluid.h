@@ -5,7 +5,8 @@
 #include "coupling/marker_ring.h"
 #include "coupling/object_motion.h"
 #include "fluid/flow_solver.h"
-#include "fluid/markers.h"
+#include "fluid/flow_rate.h"
+#include "fluid/marker_solver.h"
 
 namespace swellflow {
 
@@ -17,6 +18,7 @@ namespace swellflow {
 ///   hand out    the force on a point, sum over its markers of kappa (u~ - c - v) less its shares of F_c, while LIGGGHTS takes its N steps
 ///   collect     the impulse I that each point truly received: with it the velocity V that the point had in the mean
 ///   spread      dJ = kappa dt (V + c - u~) for each marker; F_c of the point is then that of before plus the sum of dJ / dt
+///   tighten     (forcing schemes other than direct) more impulse, so that u~ is V + c at the markers; the points receive it with the next step's law
 ///   project     div u = 0
 ///
 /// with kappa = rho_f ds h / (beta dt), ds the spacing of the markers, beta the larger of the kernel's scale and the row sum (what comes back at a marker when
@@ -25,16 +27,18 @@ namespace swellflow {
 /// round-off. The fluid inside an object has inertia of its own, which is returned: with rho_f V a of the object's last acceleration, as is its weight.
 template <int Dim> class CoupledFluid : public FluidPartner {
 public:
-  CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const WallVelocities<Dim> &walls);
+  CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const Boundaries<Dim> &boundaries);
 
-  void weigh(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity) override;
-  void begin_step(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity) override;
+  void weigh(const std::vector<ObjectPoints> &objects, const Triple &gravity) override;
+  int choose_dem_steps(double dem_dt) override;
+  void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) override;
   void finish_step(const std::vector<ObjectPoints> &objects) override;
 
   FluidReport report() override;
   FieldBlock field_block() const override;
   std::vector<FieldInfo> fields() const override;
   void copy_field(const std::string &name, std::vector<double> &values) const override;
+  std::vector<PhaseTime> phase_times() const override;
   double seconds_in_fluid() const override { return seconds_in_fluid_; }
   double seconds_in_coupling() const override { return seconds_in_coupling_; }
 
@@ -57,15 +61,16 @@ private:
   /// The account of an own ring point: its markers are those at first … first + count - 1.
   struct Account {
     int point, first, count;
-    VecD carried, felt;  ///< force F_c of all its markers; its share of all F_c
+    VecD carried, felt;  ///< force F_c of all its markers; its share of all F_c and of what is owed
   };
 
-  void describe_markers(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity);
-  void describe_object(const ObjectPoints &object, const std::array<double, 3> &gravity);
+  void drive(const FluidDrive &drive);
+  void describe_markers(const std::vector<ObjectPoints> &objects, const Triple &gravity);
+  void describe_object(const ObjectPoints &object, const Triple &gravity);
   void open_accounts(const ObjectPoints &object, double absorption_rate);
   void add_marker(const ObjectPoints &object, int m, double absorption_rate);
   void share_carried_force(const ObjectPoints &object);
-  void return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const std::array<double, 3> &gravity);
+  void return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity);
   double absorption_rate(const ObjectPoints &object) const;
   void remember_motion(const ObjectPoints &object, const ObjectMotion &motion);
   int markers_per_point(const ObjectPoints &object) const;
@@ -76,17 +81,25 @@ private:
   void collect(const std::vector<ObjectPoints> &objects);
   void settle(const Report &report);
   void spread(const std::vector<VecD> &impulses);
+  void force(const std::vector<VecD> &impulses);
+  void tighten();
+  void find_remaining_slip();
+  void owe(const std::vector<VecD> &extra);
   VecD given_to_fluid() const;
   void measure_slip();
-  bool owns_any(const ObjectPoints &object, int &own) const;
+  int any_own(const ObjectPoints &object) const;
 
   FlowSolver<Dim> flow_;
-  Markers<Dim> markers_;
+  std::unique_ptr<Markers<Dim>> markers_;
+  std::unique_ptr<MarkerSolver<Dim>> marker_solver_;  // of implicit forcing
+  FlowRate<Dim> flow_rate_;
   DemEngine points_;
   MarkerRing ring_;
   Courier to_slabs_, to_homes_;
   FluidOptions options_;
   double dt_ = 0.0, dt_before_ = 0.0;
+  int dem_steps_ = 0;
+  VecD body_force_{};
 
   // On the rank that has the point when the step begins
   std::vector<Account> accounts_;
@@ -98,13 +111,16 @@ private:
   std::vector<Report> reports_, arrived_reports_;
   std::vector<int> reporting_;
   std::vector<VecD> new_force_, new_force_here_;
+  std::vector<VecD> owed_, owed_here_, extra_back_;
   // On the rank of the slab
   std::vector<Arrival> arrived_;
   std::vector<Answer> answers_;
-  std::vector<VecD> x_, u_, u_after_, carried_, change_, row_sum_;
-  // This rank's part of the last whole step: given to the fluid, received by points, their sum, sum of |J|; slip; largest divergence
-  VecD given_{}, received_{}, balance_{};
-  double exchanged_ = 0.0, marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, max_divergence_ = 0.0;
+  std::vector<VecD> x_, u_, u_after_, carried_, change_, row_sum_, wanted_, slip_, extra_, all_extra_;
+  std::vector<double> spacing_;
+  // This rank's part of the last whole step: given to the fluid, received by points, owed to them before less after, the sum of these, sum of |J|; slip;
+  // largest divergence
+  VecD given_{}, received_{}, owed_balance_{}, balance_{}, last_body_force_{};
+  double last_dt_ = 0.0, exchanged_ = 0.0, marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, max_divergence_ = 0.0;
   double seconds_in_fluid_ = 0.0, seconds_in_coupling_ = 0.0;
 };
 

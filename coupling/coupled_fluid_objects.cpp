@@ -21,7 +21,7 @@ constexpr double made_up_per_step = 0.01;
 
 }  // namespace
 
-template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &object, const std::array<double, 3> &gravity)
+template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &object, const Triple &gravity)
 {
   const ObjectMotion motion = motion_of(object, points_);
   return_inner_fluid(object, motion, gravity);
@@ -43,11 +43,13 @@ template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &
 template <int Dim> void CoupledFluid<Dim>::share_carried_force(const ObjectPoints &object)
 {
   felt_.assign(object.n_ring, VecD{});
-  double *hub = points_.owns(object.hub) ? points_.law[object.hub] : nullptr;
+  const int own_hub = points_.own_index(object.hub);
+  double *hub = own_hub >= 0 ? points_.law[own_hub] : nullptr;
   for (int m = 0; m < object.n_ring * ring_.per_point(); ++m) {
     const auto &marker = ring_.marker(m);
     for (int d = 0; d < Dim; ++d) {
-      const double force = points_.carried[object.ring[marker.point]][d] / ring_.per_point();
+      const double *carried = points_.carried[object.ring[marker.point]];
+      const double force = (carried[FluidCarried::FORCE_X + d] + carried[FluidCarried::OWED_X + d] / dt_) / ring_.per_point();
       felt_[marker.point][d] += marker.point_weight() * force;
       felt_[marker.partner][d] += marker.partner_weight() * force;
       if (hub) hub[FluidLaw::A_X + d] -= marker.share * force;
@@ -58,10 +60,13 @@ template <int Dim> void CoupledFluid<Dim>::share_carried_force(const ObjectPoint
 template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &object, double absorption_rate)
 {
   for (int k = 0; k < object.n_ring; ++k) {
-    const int i = object.ring[k];
-    if (!points_.owns(i)) continue;
+    const int i = points_.own_index(object.ring[k]);
+    if (i < 0) continue;
     Account account{i, static_cast<int>(leaving_.size()), ring_.per_point(), {}, felt_[k]};
-    for (int d = 0; d < Dim; ++d) account.carried[d] = points_.carried[i][d];
+    for (int d = 0; d < Dim; ++d) {
+      account.carried[d] = points_.carried[i][FluidCarried::FORCE_X + d];
+      owed_balance_[d] += points_.carried[i][FluidCarried::OWED_X + d];
+    }
     accounts_.push_back(account);
     for (int m = k * ring_.per_point(); m < (k + 1) * ring_.per_point(); ++m) add_marker(object, m, absorption_rate);
   }
@@ -76,7 +81,7 @@ template <int Dim> void CoupledFluid<Dim>::add_marker(const ObjectPoints &object
   Arrival arrival{marker.x, {}, ring_.spacing(m)};
   VecD offset;
   for (int d = 0; d < Dim; ++d) {
-    arrival.carried_impulse[d] = points_.carried[i][d] * dt_ / ring_.per_point();
+    arrival.carried_impulse[d] = points_.carried[i][FluidCarried::FORCE_X + d] * dt_ / ring_.per_point();
     offset[d] = marker.u[d] - points_.v[i][d] - absorption_rate * (marker.x[d] - ring_.centroid()[d]);
   }
   leaving_.push_back(arrival);
@@ -88,23 +93,25 @@ template <int Dim> int CoupledFluid<Dim>::slab_of(const VecD &x) const
 {
   const Grid<Dim> &grid = flow_.grid();
   const int last = Grid<Dim>::last;
-  const int plane = static_cast<int>(std::floor((x[last] - grid.origin[last]) / grid.h));
-  return grid.rank_of_plane(std::clamp(plane, 0, grid.cells[last] - 1));
+  const int n = grid.cells[last];
+  int plane = static_cast<int>(std::floor((x[last] - grid.origin[last]) / grid.h));
+  if (grid.periodic[last]) plane = (plane % n + n) % n;
+  return grid.rank_of_plane(std::clamp(plane, 0, n - 1));
 }
 
-template <int Dim> bool CoupledFluid<Dim>::owns_any(const ObjectPoints &object, int &own) const
+template <int Dim> int CoupledFluid<Dim>::any_own(const ObjectPoints &object) const
 {
-  own = object.hub;
-  for (int k = 0; k < object.n_ring && !points_.owns(own); ++k) own = object.ring[k];
-  return points_.owns(own);
+  int own = points_.own_index(object.hub);
+  for (int k = 0; k < object.n_ring && own < 0; ++k) own = points_.own_index(object.ring[k]);
+  return own;
 }
 
 /// q at which the fluid crosses the outline: as fast as the area inside truly changes, which contact may hold back, but between 0 and the rate of the natural size
 /// plus what makes up for a difference from it. What is beyond, growth or shrinking, the fluid inside resists.
 template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints &object) const
 {
-  int own = 0;
-  if (!owns_any(object, own) || points_.state[own][FluidState::KNOWS_BEFORE] == 0.0) return 0.0;
+  const int own = any_own(object);
+  if (own < 0 || points_.state[own][FluidState::KNOWS_BEFORE] == 0.0) return 0.0;
   const double *point = points_.object_point[own];
   const double lambda = point[Topology::LAMBDA], area = ring_.outline_area();
   if (area <= 0.0) return 0.0;
@@ -118,12 +125,12 @@ template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints 
 /// some fluid steps. A force that lags feeds what it is in phase with: taken from all points it would feed the oscillation of hub against ring (the hub moves
 /// against ring and fluid, so the two signs differ), unsmoothed the vibrations of objects in contact.
 template <int Dim>
-void CoupledFluid<Dim>::return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const std::array<double, 3> &gravity)
+void CoupledFluid<Dim>::return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity)
 {
   const double ratio = options_.density * motion.natural_area / motion.mass;
   for (int k = -1; k < object.n_ring; ++k) {
-    const int i = k < 0 ? object.hub : object.ring[k];
-    if (!points_.owns(i)) continue;
+    const int image = k < 0 ? object.hub : object.ring[k], i = points_.own_index(image);
+    if (i < 0) continue;
     double *state = points_.state[i];
     if (state[FluidState::KNOWS_BEFORE] != 0.0) {
       const auto smooth = [&](int column, double now, double before) {
@@ -134,8 +141,8 @@ void CoupledFluid<Dim>::return_inner_fluid(const ObjectPoints &object, const Obj
       smooth(FluidState::SPIN_ACCELERATION, motion.spin, state[FluidState::RING_SPIN]);
     }
     const double alpha = state[FluidState::SPIN_ACCELERATION];
-    const double ax = state[FluidState::ACCELERATION_X] - alpha * (points_.x[i][1] - motion.centre[1]) - gravity[0];
-    const double ay = state[FluidState::ACCELERATION_Y] + alpha * (points_.x[i][0] - motion.centre[0]) - gravity[1];
+    const double ax = state[FluidState::ACCELERATION_X] - alpha * (points_.x[image][1] - motion.centre[1]) - gravity[0];
+    const double ay = state[FluidState::ACCELERATION_Y] + alpha * (points_.x[image][0] - motion.centre[0]) - gravity[1];
     state[FluidState::BODY_FORCE_X] = ratio * points_.mass[i] * ax;
     state[FluidState::BODY_FORCE_Y] = ratio * points_.mass[i] * ay;
   }
@@ -144,8 +151,8 @@ void CoupledFluid<Dim>::return_inner_fluid(const ObjectPoints &object, const Obj
 template <int Dim> void CoupledFluid<Dim>::remember_motion(const ObjectPoints &object, const ObjectMotion &motion)
 {
   for (int k = -1; k < object.n_ring; ++k) {
-    const int i = k < 0 ? object.hub : object.ring[k];
-    if (!points_.owns(i)) continue;
+    const int i = points_.own_index(k < 0 ? object.hub : object.ring[k]);
+    if (i < 0) continue;
     double *state = points_.state[i];
     state[FluidState::KNOWS_BEFORE] = 1.0;
     state[FluidState::RING_VELOCITY_X] = motion.velocity[0];

@@ -25,16 +25,16 @@ template <int Dim> typename CoupledFluid<Dim>::VecD CoupledFluid<Dim>::given_to_
   return sum;
 }
 
-/// The fluid at the markers after the projection, less the velocity that it was forced to, u~ + dJ / (kappa dt).
+/// The fluid at the markers after the projection, less the velocity that it was forced to.
 template <int Dim> void CoupledFluid<Dim>::measure_slip()
 {
   Stopwatch watch(seconds_in_coupling_);
-  markers_.interpolate(flow_.face_velocity_around(), u_after_);
+  markers_->interpolate(flow_.face_velocity_around(), u_after_);
   slip_sum_ = slip_count_ = slip_max_ = 0.0;
   for (std::size_t l = 0; l < u_after_.size(); ++l) {
     double square = 0.0;
     for (int d = 0; d < Dim; ++d) {
-      const double slip = u_[l][d] + change_[l][d] / (answers_[l].kappa * dt_) - u_after_[l][d];
+      const double slip = wanted_[l][d] - u_after_[l][d];
       square += slip * slip;
     }
     slip_sum_ += std::sqrt(square);
@@ -47,8 +47,14 @@ template <int Dim> void CoupledFluid<Dim>::measure_slip()
 template <int Dim> FluidReport CoupledFluid<Dim>::report()
 {
   FluidReport report;
-  report.cfl = flow_.max_speed_sum() * dt_ / flow_.grid().h;
+  report.cfl = flow_.max_speed_sum() * last_dt_ / flow_.grid().h;
   report.kinetic_energy = flow_.kinetic_energy();
+  report.step = last_dt_;
+  const VecD mean = flow_.mean_velocity();
+  for (int d = 0; d < Dim; ++d) {
+    report.mean_velocity[d] = mean[d];
+    report.driving_force[d] = options_.density * last_body_force_[d];
+  }
 
   double sums[3 + 2 * Dim] = {slip_sum_, slip_count_, exchanged_}, largest[3] = {slip_max_, marker_gap_, max_divergence_};
   for (int d = 0; d < Dim; ++d) {
@@ -64,11 +70,20 @@ template <int Dim> FluidReport CoupledFluid<Dim>::report()
   report.max_divergence = largest[2];
   double error = 0.0;
   for (int d = 0; d < Dim; ++d) {
-    if (dt_ > 0.0) report.force_on_objects[d] = sums[3 + Dim + d] / dt_;
+    if (last_dt_ > 0.0) report.force_on_objects[d] = sums[3 + Dim + d] / last_dt_;
     error = std::max(error, std::abs(sums[3 + d]));
   }
   if (sums[2] > 0.0) report.momentum_error = error / sums[2];
   return report;
+}
+
+template <int Dim> std::vector<PhaseTime> CoupledFluid<Dim>::phase_times() const
+{
+  std::vector<PhaseTime> times;
+  for (int phase = 0; phase < PhaseClock::n_phases; ++phase)
+    times.push_back({PhaseClock::names[phase], flow_.clock().seconds(static_cast<PhaseClock::Phase>(phase))});
+  times.push_back({"markers", seconds_in_coupling_});
+  return times;
 }
 
 template <int Dim> FieldBlock CoupledFluid<Dim>::field_block() const

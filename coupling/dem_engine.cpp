@@ -28,6 +28,11 @@ void DemEngine::refresh()
   state = per_atom(FluidState::NAME);
 }
 
+int DemEngine::own_index(int i) const
+{
+  return i < n_own_ ? i : LAMMPS_NS::find_objects(static_cast<LAMMPS_NS::LAMMPS *>(lammps_))->own_index(i);
+}
+
 double **DemEngine::per_atom(const char *id) const
 {
   constexpr int of_atoms = 1, of_rows = 2;

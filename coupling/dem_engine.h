@@ -17,7 +17,8 @@ public:
   void refresh();
 
   int n_own() const { return n_own_; }
-  bool owns(int i) const { return i < n_own_; }
+  /// The own point that i, an own point or a ghost of whatever image, stands for; -1 when another rank owns it.
+  int own_index(int i) const;
   double time_step() const;
   MPI_Comm communicator() const;
   std::array<double, 3> box_low() const { return corner("boxxlo", "boxylo", "boxzlo"); }

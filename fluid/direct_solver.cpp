@@ -1,85 +1,141 @@
 #include "fluid/direct_solver.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
+#include <string>
 
 namespace swellflow {
 
-template <int Dim>
-DirectSolver<Dim>::DirectSolver(const Grid<Dim> &grid, const Layout<Dim> &layout, const std::array<End, Dim> &ends)
-    : grid_(grid), layout_(layout), ends_(ends)
+namespace {
+
+fftw_r2r_kind kind_of(const Ends &ends, bool to_modes)
 {
-  Field<Dim> scratch(layout);
-  double *buffer = scratch.data() + layout.row(0, 0);
-  to_modes_ = plan(FFTW_RODFT10, FFTW_REDFT10, buffer);
-  to_cells_ = plan(FFTW_RODFT01, FFTW_REDFT01, buffer);
+  if (ends.periodic()) return to_modes ? FFTW_R2HC : FFTW_HC2R;
+  if (!ends.alike()) return ends.lower == End::value ? FFTW_RODFT11 : FFTW_REDFT11;
+  if (ends.lower == End::value) return to_modes ? FFTW_RODFT10 : FFTW_RODFT01;
+  return to_modes ? FFTW_REDFT10 : FFTW_REDFT01;
 }
 
+double shift(End end) { return end == End::value ? 1.0 : -1.0; }
+
+}  // namespace
+
 template <int Dim>
-typename DirectSolver<Dim>::Plan DirectSolver<Dim>::plan(fftw_r2r_kind for_value, fftw_r2r_kind for_gradient, double *buffer) const
+DirectSolver<Dim>::DirectSolver(const Grid<Dim> &grid, const Layout<Dim> &layout, const AllEnds<Dim> &ends)
+    : grid_(grid), layout_(layout), ends_(ends), sweep_(grid.comm, layout.row_length() * layout.rows(), layout.planes())
 {
-  // FFTW counts dimensions from the slowest to the fastest.
-  std::array<fftw_iodim, Dim - 1> dims;
-  std::array<fftw_r2r_kind, Dim - 1> kinds;
-  for (int d = 0; d < Dim - 1; ++d) {
-    const int stride = static_cast<int>(layout_.stride(d));
-    dims[Dim - 2 - d] = {layout_.cells(d), stride, stride};
-    kinds[Dim - 2 - d] = ends_[d] == End::value ? for_value : for_gradient;
+  if (Dim == 3) {
+    to_modes_across_ = plan_across_rows(true);
+    to_cells_across_ = plan_across_rows(false);
   }
-  Plan result(fftw_plan_guru_r2r(Dim - 1, dims.data(), 0, nullptr, buffer, buffer, kinds.data(), FFTW_ESTIMATE));
-  if (!result) throw std::runtime_error("FFTW made no plan for a plane of " + std::to_string(layout_.cells(0)) + " cells");
-  return result;
+}
+
+// All columns of a plane that cross its rows.
+template <int Dim> typename DirectSolver<Dim>::Plan DirectSolver<Dim>::plan_across_rows(bool to_modes) const
+{
+  Field<Dim> scratch(layout_);
+  double *plane = scratch.data() + layout_.row(0, 0);
+  const fftw_iodim across = {layout_.rows(), static_cast<int>(layout_.stride(1)), static_cast<int>(layout_.stride(1))};
+  const fftw_iodim along = {layout_.row_length(), 1, 1};
+  const fftw_r2r_kind kind = kind_of(ends_[1], to_modes);
+  Plan plan(fftw_plan_guru_r2r(1, &across, 1, &along, plane, plane, &kind, FFTW_ESTIMATE));
+  if (!plan) throw std::runtime_error("FFTW made no plan for a plane of " + std::to_string(layout_.rows()) + " rows");
+  return plan;
 }
 
 template <int Dim> void DirectSolver<Dim>::set_operator(double a, double c)
 {
-  const bool singular = a == 0.0 && std::all_of(ends_.begin(), ends_.end(), [](End end) { return end == End::gradient; });
-  const int row_length = layout_.row_length();
-  const int modes = row_length * layout_.rows();
-  if (!sweep_) sweep_ = std::make_unique<SlabSweep>(grid_.comm, modes, layout_.planes(), singular);
-
-  // Eigenvalues of -L h^2 of the transforms; FFTW's pairs are not normalised.
-  std::array<std::vector<double>, Dim> lambda;
-  double scale = 1.0;
-  for (int d = 0; d < Dim - 1; ++d) {
-    const int n = layout_.cells(d), shift = ends_[d] == End::value ? 1 : 0;
-    scale /= 2.0 * n;
-    for (int i = 0; i < n; ++i) lambda[d].push_back(2.0 * (1.0 - std::cos(std::numbers::pi * (i + shift) / n)));
+  const int n = layout_.row_length();
+  double scale = 0.5 / n;
+  std::vector<double> lambda(static_cast<std::size_t>(n) * layout_.rows());
+  for (std::size_t m = 0; m < lambda.size(); ++m) lambda[m] = RowTransform::eigenvalue(ends_[0], n, static_cast<int>(m) % n);
+  if constexpr (Dim == 3) {
+    const int rows = layout_.rows();
+    scale /= ends_[1].periodic() ? rows : 2.0 * rows;  // FFTW's gains
+    // FFTW's sines are in the order of their waves.
+    const bool sines = ends_[1].alike() && ends_[1].lower == End::value;
+    for (std::size_t m = 0; m < lambda.size(); ++m) {
+      const int r = static_cast<int>(m) / n;
+      lambda[m] += RowTransform::eigenvalue(ends_[1], rows, sines ? rows - 1 - r : r);
+    }
   }
-  const double off = -c / (grid_.h * grid_.h);
-  const double end_shift = ends_[Dim - 1] == End::value ? 1.0 : -1.0;
-  sweep_->factor(off, scale, [&](int k, int m) {
-    double sum = lambda[0][m % row_length] + 2.0;
-    if constexpr (Dim == 3) sum += lambda[1][m / row_length];
-    if (grid_.at_lower_end() && k == 0) sum += end_shift;
-    if (grid_.at_upper_end() && k == layout_.planes() - 1) sum += end_shift;
-    return a - off * sum;
-  });
+  const Ends &last = ends_[Dim - 1];
+  const bool has_value = std::any_of(ends_.begin(), ends_.end(), [](const Ends &e) { return e.lower == End::value || e.upper == End::value; });
+  sweep_.factor({.off_diagonal = -c / (grid_.h * grid_.h),
+                 .lower_shift = shift(last.lower),
+                 .upper_shift = shift(last.upper),
+                 .periodic = last.periodic(),
+                 .mode_0_singular = a == 0.0 && !has_value},
+                a, lambda, scale);
 }
 
-template <int Dim> void DirectSolver<Dim>::forward(int s, Field<Dim> &x)
+// ---- joint solves ----------------------------------------------------------------------------------------------------------------------------
+
+template <int Dim, std::size_t N>
+JointSolve<Dim, N>::JointSolve(const Layout<Dim> &layout, const std::array<std::shared_ptr<DirectSolver<Dim>>, N> &solvers)
+    : layout_(layout), solvers_(solvers), transform_(layout.row_length())
 {
-  const int k = sweep_->plane(s), n = layout_.row_length();
-  const std::ptrdiff_t back = sweep_->direction() * layout_.plane_stride();
-  double *plane = x.data() + layout_.row(k, 0);
-  fftw_execute_r2r(to_modes_.get(), plane, plane);
-  for (int r = 0; r < layout_.rows(); ++r) {
-    double *row = x.data() + layout_.row(k, r);
-    sweep_->eliminate(s, r * n, n, row, row - back);
-  }
+  for (std::size_t c = 0; c < N; ++c) unknowns_[c] = solvers_[c]->sweep_.unknown();
 }
 
-template <int Dim> void DirectSolver<Dim>::backward(int s, Field<Dim> &x)
+template <int Dim, std::size_t N> template <class Transform>
+void JointSolve<Dim, N>::two_by_two(const std::array<Field<Dim> *, N> &x, int s, int end, Transform &&transform)
 {
-  const int k = sweep_->plane(s), n = layout_.row_length();
-  for (int r = 0; r < layout_.rows(); ++r) sweep_->substitute(s, r * n, n, x.data() + layout_.row(k, r));
-  double *plane = x.data() + layout_.row(k, 0);
-  fftw_execute_r2r(to_cells_.get(), plane, plane);
+  RowTransform::Row waiting{nullptr, {}};
+  for (int t = s; t < end; ++t)
+    for (int r = 0; r < layout_.rows(); ++r)
+      for (std::size_t c = 0; c < N; ++c) {
+        const RowTransform::Row row{x[c]->data() + layout_.row(plane(t), r), solvers_[c]->ends()[0]};
+        if (waiting.values) {
+          transform(waiting, row);
+          waiting.values = nullptr;
+        } else {
+          waiting = row;
+        }
+      }
+  if (waiting.values) transform(waiting, RowTransform::Row{nullptr, waiting.ends});
+}
+
+template <int Dim, std::size_t N> void JointSolve<Dim, N>::forward(const std::array<Field<Dim> *, N> &x, int s, int end)
+{
+  two_by_two(x, s, end, [this](const auto &a, const auto &b) { transform_.to_modes(a, b); });
+  const int n = layout_.row_length();
+  for (int t = s; t < end; ++t)
+    for (std::size_t c = 0; c < N; ++c) {
+      DirectSolver<Dim> &solver = *solvers_[c];
+      const std::ptrdiff_t back = solver.sweep_.direction() * layout_.plane_stride();
+      if constexpr (Dim == 3) {
+        double *first = x[c]->data() + layout_.row(plane(t), 0);
+        fftw_execute_r2r(solver.to_modes_across_.get(), first, first);
+      }
+      for (int r = 0; r < layout_.rows(); ++r) {
+        double *row = x[c]->data() + layout_.row(plane(t), r);
+        solver.sweep_.eliminate(unknowns_[c], t, r * n, n, row, row - back);
+      }
+    }
+}
+
+template <int Dim, std::size_t N> void JointSolve<Dim, N>::backward(const std::array<Field<Dim> *, N> &x, int s, int end)
+{
+  const int n = layout_.row_length();
+  for (int t = end - 1; t >= s; --t)
+    for (std::size_t c = 0; c < N; ++c) {
+      DirectSolver<Dim> &solver = *solvers_[c];
+      for (int r = 0; r < layout_.rows(); ++r)
+        solver.sweep_.substitute(unknowns_[c], t, r * n, n, x[c]->data() + layout_.row(plane(t), r));
+      if constexpr (Dim == 3) {
+        double *first = x[c]->data() + layout_.row(plane(t), 0);
+        fftw_execute_r2r(solver.to_cells_across_.get(), first, first);
+      }
+    }
+  two_by_two(x, s, end, [this](const auto &a, const auto &b) { transform_.to_cells(a, b); });
 }
 
 template class DirectSolver<2>;
 template class DirectSolver<3>;
+template class JointSolve<2, 1>;
+template class JointSolve<2, 2>;
+template class JointSolve<3, 1>;
+template class JointSolve<3, 3>;
 
 }  // namespace swellflow

@@ -11,7 +11,7 @@ namespace swellflow {
 template <int Dim> class FaceForcing {
 public:
   FaceForcing(const Grid<Dim> &grid, const Layout<Dim> &layout)
-      : layout_(layout), halo_(grid, layout), faces_(layout), touched_(layout.planes() + 2 * Grid<Dim>::ghost, 0), alone_(grid.ranks == 1)
+      : layout_(layout), halo_(grid, layout), faces_(layout), touched_(layout.planes() + 2 * Grid<Dim>::ghost, 0)
   {
   }
 
@@ -36,14 +36,19 @@ public:
   /// Whether the cells of plane k, or the faces around it, receive anything.
   bool touches_neighbourhood(int k) const { return touched(k - 1) || touched(k) || touched(k + 1); }
 
-  /// Joins what neighbouring ranks gave to shared faces; afterwards all ghost planes are right. Collective.
+  /// Joins what was given to shared faces from both sides of slab borders and of periodic ones; afterwards all ghosts are right. Collective.
   void complete()
   {
-    if (alone_) return;
-    for (int c = 0; c < Dim; ++c) halo_.add(faces_[c]);
-    // A neighbour may have written here: only the middle of the slab is known to be untouched.
-    touch(first(), std::min(end() - 1, first() + 2 * Grid<Dim>::ghost));
-    touch(std::max(first(), end() - 1 - 2 * Grid<Dim>::ghost), end() - 1);
+    if (halo_.has_neighbours()) {
+      for (int c = 0; c < Dim; ++c) halo_.add(faces_[c]);
+      // A neighbour may have written here: only the middle of the slab is known to be untouched.
+      touch(first(), std::min(end() - 1, first() + 2 * Grid<Dim>::ghost));
+      touch(std::max(first(), end() - 1 - 2 * Grid<Dim>::ghost), end() - 1);
+    }
+    for (int k = 0; k < layout_.planes(); ++k)
+      if (touched(k))
+        for (int c = 0; c < Dim; ++c) halo_.fold(faces_[c], k);
+    for (int c = 0; c < Dim; ++c) halo_.fill(faces_[c], Grid<Dim>::ghost);
   }
 
 private:
@@ -54,7 +59,6 @@ private:
   Halo<Dim> halo_;
   VectorField<Dim> faces_;
   std::vector<char> touched_;
-  bool alone_;
 };
 
 }  // namespace swellflow

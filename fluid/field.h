@@ -1,14 +1,11 @@
 // Arrays of one value a cell (or a face), local to this rank, with ghost cells around them.
 #pragma once
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <cstddef>
-#include <memory>
-#include <new>
 
 #include "fluid/grid.h"
+#include "fluid/reals.h"
 
 namespace swellflow {
 
@@ -67,21 +64,14 @@ private:
 /// One double a cell; zero at first.
 template <int Dim> class Field {
 public:
-  explicit Field(const Layout<Dim> &layout) : data_(fftw_alloc_real(layout.size()))
-  {
-    if (!data_) throw std::bad_alloc();
-    std::fill_n(data_.get(), layout.size(), 0.0);
-  }
+  explicit Field(const Layout<Dim> &layout) : data_(allocate_reals(layout.size())) { std::fill_n(data_.get(), layout.size(), 0.0); }
   double *data() { return data_.get(); }
   const double *data() const { return data_.get(); }
   double &operator[](std::ptrdiff_t i) { return data_.get()[i]; }
   double operator[](std::ptrdiff_t i) const { return data_.get()[i]; }
 
 private:
-  struct Free {
-    void operator()(double *p) const { fftw_free(p); }
-  };
-  std::unique_ptr<double, Free> data_;
+  Reals data_;
 };
 
 /// One field a direction: the components of a vector in the cells, or the normal components on the faces.

@@ -22,12 +22,13 @@ template <int Dim> struct Grid {
   Vec<Dim> origin;  ///< lower corner
   double h;
   MPI_Comm comm;
+  std::array<bool, Dim> periodic;
   int rank = 0, ranks = 1;
   int first_plane = 0, planes = 0;
 
   /// Throws std::invalid_argument (on every rank alike) when a slab would be thinner than the ghost planes it hands out.
-  Grid(std::array<int, Dim> cells_, Vec<Dim> origin_, double h_, MPI_Comm comm_)
-      : cells(cells_), origin(origin_), h(h_), comm(comm_)
+  Grid(std::array<int, Dim> cells_, Vec<Dim> origin_, double h_, MPI_Comm comm_, std::array<bool, Dim> periodic_ = {})
+      : cells(cells_), origin(origin_), h(h_), comm(comm_), periodic(periodic_)
   {
     MPI_Comm_rank(comm, &rank);
     MPI_Comm_size(comm, &ranks);
@@ -50,10 +51,12 @@ template <int Dim> struct Grid {
     return r;
   }
 
-  bool at_lower_end() const { return rank == 0; }
-  bool at_upper_end() const { return rank == ranks - 1; }
-  int rank_below() const { return at_lower_end() ? MPI_PROC_NULL : rank - 1; }
-  int rank_above() const { return at_upper_end() ? MPI_PROC_NULL : rank + 1; }
+  /// Whether this rank's slab ends at a side of the box: never in a periodic direction.
+  bool at_lower_end() const { return rank == 0 && !periodic[last]; }
+  bool at_upper_end() const { return rank == ranks - 1 && !periodic[last]; }
+  /// Itself where a single rank is periodic.
+  int rank_below() const { return at_lower_end() ? MPI_PROC_NULL : (rank + ranks - 1) % ranks; }
+  int rank_above() const { return at_upper_end() ? MPI_PROC_NULL : (rank + 1) % ranks; }
   double cell_volume() const
   {
     double volume = 1.0;

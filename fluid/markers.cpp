@@ -1,44 +1,111 @@
 #include "fluid/markers.h"
 
+#include <cassert>
+
+#include "fluid/delta_kernel.h"
+
 namespace swellflow {
 
-template <int Dim, class Kernel> void Markers<Dim, Kernel>::place(const std::vector<Vec<Dim>> &positions)
+namespace {
+
+template <int Dim, class Kernel> class KernelMarkers final : public Markers<Dim> {
+public:
+  KernelMarkers(const Grid<Dim> &grid, const Layout<Dim> &layout) : grid_(grid), layout_(layout) {}
+
+  void place(const std::vector<Vec<Dim>> &positions) override;
+  int size() const override { return static_cast<int>(stencils_.size()); }
+  void interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const override;
+  void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const override;
+  double scale() const override { return Kernel::scale; }
+
+private:
+  static constexpr int width = Kernel::width;
+  struct Stencil {
+    std::array<std::ptrdiff_t, Dim> first;             // by component: the lowest point of the support
+    std::array<int, Dim> first_plane;
+    std::array<std::array<std::array<double, width>, Dim>, Dim> weight;  // by component, direction, point
+  };
+
+  double in_cells(const Vec<Dim> &position, int d) const;
+  void place_component(const Vec<Dim> &x, int c, Stencil &stencil) const;
+  static void leave_out_walls(int first, int lowest, int highest, std::array<double, width> &w);
+
+  template <class Visit> void each_point(const Stencil &stencil, int c, Visit &&visit) const
+  {
+    const auto &w = stencil.weight[c];
+    if constexpr (Dim == 2) {
+      for (int j = 0; j < width; ++j)
+        for (int i = 0; i < width; ++i) visit(stencil.first[c] + j * layout_.stride(1) + i, w[1][j] * w[0][i]);
+    } else {
+      for (int k = 0; k < width; ++k)
+        for (int j = 0; j < width; ++j)
+          for (int i = 0; i < width; ++i)
+            visit(stencil.first[c] + k * layout_.stride(2) + j * layout_.stride(1) + i, w[2][k] * w[1][j] * w[0][i]);
+    }
+  }
+
+  const Grid<Dim> &grid_;
+  const Layout<Dim> &layout_;
+  std::vector<Stencil> stencils_;
+};
+
+template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::place(const std::vector<Vec<Dim>> &positions)
 {
   stencils_.resize(positions.size());
-  for (std::size_t l = 0; l < positions.size(); ++l)
-    for (int c = 0; c < Dim; ++c) place_component(positions[l], c, stencils_[l]);
+  for (std::size_t l = 0; l < positions.size(); ++l) {
+    Vec<Dim> x;
+    for (int d = 0; d < Dim; ++d) x[d] = in_cells(positions[l], d);
+    for (int c = 0; c < Dim; ++c) place_component(x, c, stencils_[l]);
+  }
+}
+
+/// In units of h from the box's lower corner; in a periodic direction of all images that nearest to the middle of the slab.
+template <int Dim, class Kernel> double KernelMarkers<Dim, Kernel>::in_cells(const Vec<Dim> &position, int d) const
+{
+  const double size = grid_.cells[d], x = (position[d] - grid_.origin[d]) / grid_.h;
+  if (!grid_.periodic[d]) return std::clamp(x, 0.0, size);
+  const double middle = (d == Grid<Dim>::last ? grid_.first_plane : 0) + 0.5 * layout_.cells(d);
+  return x - size * std::floor((x - middle) / size + 0.5);
 }
 
 template <int Dim, class Kernel>
-void Markers<Dim, Kernel>::place_component(const Vec<Dim> &position, int c, Stencil &stencil) const
+void KernelMarkers<Dim, Kernel>::place_component(const Vec<Dim> &x, int c, Stencil &stencil) const
 {
+  constexpr int ghost = Grid<Dim>::ghost;
   std::array<int, Dim> first;
   for (int d = 0; d < Dim; ++d) {
-    // In units of h: faces of component c lie at whole numbers in direction c, at half ones in the others.
-    const double size = grid_.cells[d];
-    const double x = std::clamp((position[d] - grid_.origin[d]) / grid_.h, 0.0, size) - (d == c ? 0.0 : 0.5);
-    const int middle = static_cast<int>(std::floor(x + 0.5));
+    // Faces of component c lie at whole numbers in direction c, at half ones in the others.
+    const double y = x[d] - (d == c ? 0.0 : 0.5);
+    const int begin = d == Grid<Dim>::last ? grid_.first_plane : 0;
+    const int anchor = static_cast<int>(std::floor(y + (width % 2 ? 0.5 : 0.0)));
+    // A marker on the upper end of its slab, or beyond by rounding, has the points of one just below.
+    const int lowest = begin - ghost, highest = begin + layout_.cells(d) + ghost - width;
+    first[d] = std::clamp(anchor - Kernel::anchor, lowest, highest);
+    assert(std::abs(first[d] - (anchor - Kernel::anchor)) <= 1 && "a marker must lie in this rank's slab");
     auto &w = stencil.weight[c][d];
-    Kernel::weights(x - middle, w.data());
-    first[d] = middle - width / 2;
-
-    const int lowest = d == c ? 1 : 0, highest = grid_.cells[d] - 1;
-    if (first[d] < lowest || first[d] + width - 1 > highest) {
-      double sum = 0.0;
-      for (int i = 0; i < width; ++i) {
-        if (first[d] + i < lowest || first[d] + i > highest) w[i] = 0.0;
-        sum += w[i];
-      }
-      for (double &weight : w) weight /= sum;
-    }
+    Kernel::weights(y - (first[d] + Kernel::anchor), w.data());
+    if (!grid_.periodic[d]) leave_out_walls(first[d], d == c ? 1 : 0, grid_.cells[d] - 1, w);
+    first[d] -= begin;
   }
-  first[Dim - 1] -= grid_.first_plane;
   stencil.first_plane[c] = first[Dim - 1];
   stencil.first[c] = layout_.at(first);
 }
 
+/// Only the points lowest … highest of the box are the fluid's.
 template <int Dim, class Kernel>
-void Markers<Dim, Kernel>::interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const
+void KernelMarkers<Dim, Kernel>::leave_out_walls(int first, int lowest, int highest, std::array<double, width> &w)
+{
+  if (first >= lowest && first + width - 1 <= highest) return;
+  double sum = 0.0;
+  for (int i = 0; i < width; ++i) {
+    if (first + i < lowest || first + i > highest) w[i] = 0.0;
+    sum += w[i];
+  }
+  for (double &weight : w) weight /= sum;
+}
+
+template <int Dim, class Kernel>
+void KernelMarkers<Dim, Kernel>::interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const
 {
   velocities.resize(stencils_.size());
   for (std::size_t l = 0; l < stencils_.size(); ++l)
@@ -51,7 +118,7 @@ void Markers<Dim, Kernel>::interpolate(const VectorField<Dim> &face_velocity, st
 }
 
 template <int Dim, class Kernel>
-void Markers<Dim, Kernel>::spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const
+void KernelMarkers<Dim, Kernel>::spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const
 {
   const double per_impulse = 1.0 / (density * grid_.cell_volume());
   for (std::size_t l = 0; l < stencils_.size(); ++l)
@@ -63,6 +130,18 @@ void Markers<Dim, Kernel>::spread(const std::vector<Vec<Dim>> &impulses, double 
     }
 }
 
-template class Markers<2>;
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<Markers<Dim>> make_markers(const std::string &kernel_name, const Grid<Dim> &grid, const Layout<Dim> &layout)
+{
+  if (kernel_name == "roma_1999") return std::make_unique<KernelMarkers<Dim, Roma1999>>(grid, layout);
+  if (kernel_name == "peskin_2002") return std::make_unique<KernelMarkers<Dim, Peskin2002>>(grid, layout);
+  if (kernel_name == "yang_2009") return std::make_unique<KernelMarkers<Dim, Yang2009>>(grid, layout);
+  throw std::invalid_argument("the kernel must be roma_1999, peskin_2002 or yang_2009, but is '" + kernel_name + "'");
+}
+
+template std::unique_ptr<Markers<2>> make_markers(const std::string &, const Grid<2> &, const Layout<2> &);
+template std::unique_ptr<Markers<3>> make_markers(const std::string &, const Grid<3> &, const Layout<3> &);
 
 }  // namespace swellflow

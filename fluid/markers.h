@@ -1,57 +1,41 @@
 // The markers on this rank's slab: interpolation of face velocities to them, and its adjoint, spreading.
 #pragma once
 
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "fluid/delta_kernel.h"
 #include "fluid/face_forcing.h"
 
 namespace swellflow {
 
 /// Both operators use the same weights, products of a one-dimensional kernel on the faces of each velocity component. Points beyond a wall, and faces on it
-/// whose velocity is given, take no part: the weights of the others are scaled to sum to 1, for both operators alike.
-template <int Dim, class Kernel = Roma1999> class Markers {
+/// whose velocity is given, take no part: the weights of the others are scaled to sum to 1, for both operators and all kernels alike. In a periodic
+/// direction nothing is left out: the weights reach into ghost cells.
+///
+/// No kernel reaches further than Grid::ghost = 2 planes beyond the slab that holds the marker. In units of h from the slab's lower end, a marker at 0 <= y < planes
+/// has y or y - 1/2 among the points of a component, so a kernel of width 4 has its points from floor(y - 1/2) - 1 >= -2 to
+/// floor(y) + 2 <= planes + 1; of width 3, from -1 to planes + 1. The same holds for the cells along any other direction.
+template <int Dim> class Markers {
 public:
-  Markers(const Grid<Dim> &grid, const Layout<Dim> &layout) : grid_(grid), layout_(layout) {}
+  virtual ~Markers() = default;
 
-  /// Positions within this rank's slab (one beyond a wall is taken as lying on the wall).
-  void place(const std::vector<Vec<Dim>> &positions);
-  int size() const { return static_cast<int>(stencils_.size()); }
+  /// Positions within this rank's slab. One beyond a wall is taken as lying on the wall; in a periodic direction any image of the position will do.
+  virtual void place(const std::vector<Vec<Dim>> &positions) = 0;
+  virtual int size() const = 0;
 
-  /// U_l = sum over faces of w_l F.
-  void interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const;
+  /// U_l = sum over faces of w_l F. Ghost planes and the ghost cells of periodic directions must be right.
+  virtual void interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const = 0;
 
   /// Adds to each face the change of velocity w_l J_l / (rho h^Dim) that impulses J [mass length / time] on the markers give.
-  void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const;
+  virtual void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const = 0;
 
-private:
-  static constexpr int width = Kernel::width;
-  struct Stencil {
-    std::array<std::ptrdiff_t, Dim> first;             // by component: the lowest point of the support
-    std::array<int, Dim> first_plane;
-    std::array<std::array<std::array<double, width>, Dim>, Dim> weight;  // by component, direction, point
-  };
-  void place_component(const Vec<Dim> &position, int c, Stencil &stencil) const;
-
-  template <class Visit> void each_point(const Stencil &stencil, int c, Visit &&visit) const
-  {
-    const auto &w = stencil.weight[c];
-    if constexpr (Dim == 2) {
-      for (int j = 0; j < width; ++j)
-        for (int i = 0; i < width; ++i) visit(stencil.first[c] + j * layout_.stride(1) + i, w[1][j] * w[0][i]);
-    } else {
-      for (int k = 0; k < width; ++k)
-        for (int j = 0; j < width; ++j)
-          for (int i = 0; i < width; ++i)
-            visit(stencil.first[c] + k * layout_.stride(2) + j * layout_.stride(1) + i, w[2][k] * w[1][j] * w[0][i]);
-    }
-  }
-
-  const Grid<Dim> &grid_;
-  const Layout<Dim> &layout_;
-  std::vector<Stencil> stencils_;
+  /// beta of the kernel (see delta_kernel.h): what comes back of a velocity that is spread from markers a cell apart. Forcing is divided by it.
+  virtual double scale() const = 0;
 };
 
-extern template class Markers<2>;
+/// Markers with the kernel of that name: roma_1999, peskin_2002 or yang_2009. Throws std::invalid_argument on any other.
+template <int Dim>
+std::unique_ptr<Markers<Dim>> make_markers(const std::string &kernel_name, const Grid<Dim> &grid, const Layout<Dim> &layout);
 
 }  // namespace swellflow

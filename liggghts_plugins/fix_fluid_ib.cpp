@@ -21,12 +21,12 @@ using namespace LAMMPS_NS;
 using namespace swellflow;
 
 FixFluidIb::FixFluidIb(LAMMPS *lmp, int narg, char **arg, const FluidPartnerFactory &make_partner) :
-  Fix(lmp, narg, arg), make_partner_(make_partner)
+  Fix(lmp, narg, arg), make_partner_(make_partner), phases_(lmp)
 {
   or_stop(lmp, [&] { parse(narg, arg); });
   nevery = 1;
   scalar_flag = vector_flag = 1;
-  size_vector = 9;
+  size_vector = 14;
   global_freq = 1;
   time_depend = 1;
   extscalar = extvector = 0;
@@ -39,30 +39,13 @@ FixFluidIb::FixFluidIb(LAMMPS *lmp, int narg, char **arg, const FluidPartnerFact
 
 void FixFluidIb::parse(int narg, char **arg)
 {
-  const std::string place = std::string("fix ") + arg[0] + " fluid/ib";
-  Arguments arguments(place, narg - 3, arg + 3);
-  Options options(place);
-  options.custom("cells", [&](Arguments &words) {
-    for (int d = 0; d < 2; d++) options_.cells[d] = words.integer("cells", Range::at_least(4));
-  }, "NX NY: cells across the box").required();
-  options.number("density", options_.density, Range::positive(), "mass/length^3", "density of the fluid").required();
-  options.number("viscosity", options_.kinematic_viscosity, Range::positive(), "length^2/time", "kinematic viscosity").required();
-  options.integer("every", options_.dem_steps_per_fluid_step, Range::at_least(1), "DEM steps in a fluid step");
-  options.number("retraction", options_.retraction, Range::not_negative(), "cells", "of the markers, from the ring point towards the hub");
-  options.number("marker_gap", options_.marker_gap, Range::positive(), "cells", "largest natural distance of markers along a ring");
-  std::array<bool, 4> named{};
-  options.custom("wall", [&](Arguments &words) {
-    const std::vector<std::string> sides = {"xlo", "xhi", "ylo", "yhi"};
-    const int side = words.choice("wall", sides);
-    if (named[side]) words.fail("each wall is described once, but " + sides[side] + " is here twice: take one of them out");
-    named[side] = true;
-    words.choice("wall", {"velocity"});
-    for (int d = 0; d < 2; d++) options_.wall_velocity[side][d] = words.number("wall velocity", Range::any(), "length/time");
-    if (options_.wall_velocity[side][side / 2] != 0.0)
-      words.fail("a wall moves within its plane, but the normal component of its velocity is " +
-                 shown(options_.wall_velocity[side][side / 2]) + ": set it to 0");
-  }, "SIDE velocity VX VY: a wall that moves within its plane").repeatable();
-  options.parse(arguments);
+  Arguments line(std::string("fix ") + arg[0] + " fluid/ib", narg - 3, arg + 3);
+  FluidScript::Box box;
+  for (int d = 0; d < 2; d++) {
+    box.periodic[d] = domain->periodicity[d] != 0;
+    box.length[d] = domain->prd[d];
+  }
+  script_ = std::make_unique<FluidScript>(line, box);
 }
 
 int FixFluidIb::setmask()
@@ -106,6 +89,8 @@ void FixFluidIb::init()
 {
   require_settings();
   require_integrators();
+  or_stop(lmp, [this] { script_->require_variables(lmp); });
+  warn_without_resistance();
   if (!partner_) make_partner();
   // LIGGGHTS sorts atoms by the cut-off of the pair style, and stops where there is none.
   if (!force->pair) atom->sortfreq = 0;
@@ -114,56 +99,14 @@ void FixFluidIb::init()
 void FixFluidIb::make_partner()
 {
   or_stop(lmp, [&] {
+    FluidOptions options = script_->options();
+    options.initial_velocity = script_->initial_velocity(lmp);
     try {
-      partner_ = make_partner_(lmp, options_);
+      partner_ = make_partner_(lmp, options);
     } catch (const std::invalid_argument &refusal) {
       throw OptionError(std::string("fix ") + id + " fluid/ib: " + refusal.what());
     }
   });
-}
-
-void FixFluidIb::require_settings()
-{
-  if (domain->dimension != 2)
-    error->fix_error(FLERR, this, "the fluid is two-dimensional, but the dimension is 3: use 'dimension 2'");
-  if (domain->triclinic || domain->box_change)
-    error->fix_error(FLERR, this, "the fluid's box must be a fixed rectangle, but it is tilted or changes: use an orthogonal box and no fix deform");
-  for (int d = 0; d < 2; d++)
-    for (int end = 0; end < 2; end++)
-      if (domain->boundary[d][end] != 1) {
-        const char *kinds[] = {"p", "f", "s", "m"};
-        const std::string message = std::string("each side of the fluid must be a wall at a fixed place, but boundary ") + "xy"[d] + " is '" +
-                                    kinds[domain->boundary[d][end]] + "': use 'boundary f f p'";
-        error->fix_error(FLERR, this, message.c_str());
-      }
-  if (!comm->ghost_velocity)
-    error->fix_error(FLERR, this, "ranks must know the velocities of each other's points, but ghosts have none: add 'communicate single vel yes'");
-  for (const char *name : {FluidLaw::NAME, FluidImpulse::NAME, FluidCarried::NAME, FluidState::NAME})
-    if (modify->find_fix(name) < 0)
-      error->fix_error(FLERR, this, ("the fluid keeps its state in fix '" + std::string(name) + "', which is gone: do not unfix it").c_str());
-}
-
-/* ----------------------------------------------------------------------
-   only integrators that know the fluid's law let the points feel it
-------------------------------------------------------------------------- */
-
-void FixFluidIb::require_integrators()
-{
-  const FixObjects *known = find_objects(lmp);
-  if (!known) return;
-  int missing = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!known->is_point(i)) continue;
-    bool moved = false;
-    for (int k = 0; k < modify->nfix; k++)
-      moved = moved || (strcmp(modify->fix[k]->style, "nve/cds") == 0 && (atom->mask[i] & modify->fix[k]->groupbit));
-    if (!moved) missing = 1;
-  }
-  int missing_anywhere = 0;
-  MPI_Allreduce(&missing, &missing_anywhere, 1, MPI_INT, MPI_MAX, world);
-  if (missing_anywhere)
-    error->fix_error(FLERR, this, "each object in the fluid needs an integrator that knows the fluid's force, but some have none: "
-                                  "add 'fix ID all nve/cds' in place of other nve styles");
 }
 
 void FixFluidIb::setup(int vflag)
@@ -177,28 +120,15 @@ void FixFluidIb::setup(int vflag)
 
 /* ---------------------------------------------------------------------- */
 
-/* ----------------------------------------------------------------------
-   the law of a fluid step under way was made for its time step
-------------------------------------------------------------------------- */
-
-void FixFluidIb::require_same_step()
-{
-  if (dem_step_ > 0 && update->dt != dt_) {
-    const std::string message = "the time step may change between fluid steps only, but it goes from " + shown(dt_) + " to " + shown(update->dt) +
-                                " after " + std::to_string(dem_step_) + " of " + std::to_string(options_.dem_steps_per_fluid_step) +
-                                " DEM steps: let the run before end with a multiple of 'every'";
-    error->fix_error(FLERR, this, message.c_str());
-  }
-}
-
 void FixFluidIb::pre_initial_integrate()
 {
   if (dem_step_ > 0) return;
   dt_ = update->dt;
+  dem_steps_ = partner_->choose_dem_steps(dt_);
   // Ghosts lag half a step behind in velocity. All ranks take part, those without ghosts too.
   comm->forward_comm();
   carried_->do_forward_comm();
-  partner_->begin_step(objects(), gravity());
+  partner_->begin_step(objects(), drive(), dem_steps_);
 }
 
 void FixFluidIb::post_force(int)
@@ -213,10 +143,35 @@ void FixFluidIb::post_force(int)
 
 void FixFluidIb::end_of_step()
 {
-  if (++dem_step_ < options_.dem_steps_per_fluid_step) return;
+  if (++dem_step_ < dem_steps_) return;
   dem_step_ = 0;
+  whole_steps_++;
   partner_->finish_step(objects());
   reported_step_ = -1;
+}
+
+void FixFluidIb::post_run()
+{
+  if (whole_steps_ > steps_before_run_) phases_.print(partner_->phase_times());
+  steps_before_run_ = whole_steps_;
+}
+
+/* ----------------------------------------------------------------------
+   what drives the coming fluid step, at its end: LIGGGHTS has already
+   counted the first of its DEM steps
+------------------------------------------------------------------------- */
+
+FluidDrive FixFluidIb::drive()
+{
+  FluidDrive drive;
+  const bigint end = update->ntimestep - 1 + dem_steps_;
+  const auto evaluate = [&] { drive = script_->drive(lmp); };
+  if (script_->varies())
+    with_variables_at(lmp, end, end + 1, evaluate);
+  else
+    evaluate();
+  drive.gravity = gravity();
+  return drive;
 }
 
 const std::vector<ObjectPoints> &FixFluidIb::objects()
@@ -234,13 +189,13 @@ const std::vector<ObjectPoints> &FixFluidIb::objects()
   return objects_;
 }
 
-std::array<double, 3> FixFluidIb::gravity() const
+Triple FixFluidIb::gravity() const
 {
-  std::array<double, 3> sum{};
+  Triple sum{};
   for (int k = 0; k < modify->nfix; k++) {
     auto *fix = dynamic_cast<FixGravity *>(modify->fix[k]);
     if (!fix) continue;
-    std::array<double, 3> g{};
+    Triple g{};
     fix->get_gravity(g.data());
     for (int d = 0; d < 3; d++) sum[d] += g[d];
   }
@@ -264,6 +219,14 @@ double FixFluidIb::compute_vector(int n)
 {
   const FluidReport &now = report();
   const double values[] = {now.mean_slip, now.max_slip, now.max_divergence, now.cfl, now.kinetic_energy,
-                           now.force_on_objects[0], now.force_on_objects[1], now.momentum_error, now.marker_gap};
+                           now.force_on_objects[0], now.force_on_objects[1], now.momentum_error, now.marker_gap,
+                           now.step, now.mean_velocity[0], now.mean_velocity[1], now.driving_force[0], now.driving_force[1]};
   return values[n];
+}
+
+FixFluidIb *LAMMPS_NS::find_fluid(LAMMPS *lmp)
+{
+  for (int k = 0; k < lmp->modify->nfix; k++)
+    if (auto *fluid = dynamic_cast<FixFluidIb *>(lmp->modify->fix[k])) return fluid;
+  return nullptr;
 }

@@ -5,6 +5,8 @@
 
 #include "fix.h"
 #include "fluid_partner.h"
+#include "fluid_script.h"
+#include "phase_line.h"
 
 namespace LAMMPS_NS {
 
@@ -22,32 +24,48 @@ class FixFluidIb : public Fix {
   void pre_initial_integrate() override;
   void post_force(int) override;
   void end_of_step() override;
+  void post_run() override;
   double compute_scalar() override;
   double compute_vector(int n) override;
 
   /// Null before the first run.
   const swellflow::FluidPartner *partner() const { return partner_.get(); }
+  double density() const { return script_->options().density; }
+  /// Between begin and end of a DEM step: whether it is the first, or the last, of its fluid step.
+  bool first_dem_step() const { return dem_step_ == 0; }
+  bool last_dem_step() const { return dem_step_ + 1 == dem_steps_; }
+  bigint whole_steps() const { return whole_steps_; }
 
  private:
   void parse(int narg, char **arg);
   void require_settings();
-  void make_partner();
+  void require_sides();
   void require_integrators();
   void require_same_step();
+  void warn_without_resistance();
+  void make_partner();
   FixPropertyAtom *make_property(const char *name, int columns, bool on_ghosts);
   const std::vector<swellflow::ObjectPoints> &objects();
-  std::array<double, 3> gravity() const;
+  swellflow::FluidDrive drive();
+  swellflow::Triple gravity() const;
   const swellflow::FluidReport &report();
 
-  swellflow::FluidOptions options_;
+  std::unique_ptr<swellflow::FluidScript> script_;
   swellflow::FluidPartnerFactory make_partner_;
   std::unique_ptr<swellflow::FluidPartner> partner_;
   FixPropertyAtom *carried_ = nullptr;
   std::vector<swellflow::ObjectPoints> objects_;
-  double dt_ = 0.0;       // of the fluid step under way
-  int dem_step_ = 0;  // within the fluid step; 0: none is under way
+  PhaseLine phases_;
+  double dt_ = 0.0;     // DEM step of the fluid step under way
+  int dem_steps_ = 1;   // in the fluid step under way
+  int dem_step_ = 0;    // within the fluid step; 0: none is under way
+  bigint whole_steps_ = 0, steps_before_run_ = 0;
+  bool warned_ = false;
   swellflow::FluidReport report_;
   bigint reported_step_ = -1;
 };
+
+/// The fluid of a scene, or null.
+FixFluidIb *find_fluid(class LAMMPS *);
 
 }  // namespace LAMMPS_NS

@@ -92,6 +92,7 @@ void FixMassSpring::setup(int)
 void FixMassSpring::post_force(int)
 {
   swellflow::StepClock::Scope timing(objects_->clock(), swellflow::StepClock::springs);
+  totals_step_ = -1;  // a variable may have asked for the values of this step before it came
   add_springs();
   if (!damped()) return;
   measure_dashpots();

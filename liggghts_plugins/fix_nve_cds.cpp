@@ -1,16 +1,13 @@
 #include "fix_nve_cds.h"
 
-#include <cstring>
 #include <optional>
 #include <string>
 
 #include "atom.h"
-#include "error.h"
 #include "fix_objects.h"
-#include "fix_property_atom.h"
 #include "fluid_columns.h"
 #include "force.h"
-#include "modify.h"
+#include "integrators.h"
 #include "options.h"
 #include "update.h"
 
@@ -30,21 +27,7 @@ FixNveCds::FixNveCds(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 
 int FixNveCds::setmask() { return INITIAL_INTEGRATE | FINAL_INTEGRATE; }
 
-void FixNveCds::init() { require_one_integrator(); }
-
-void FixNveCds::require_one_integrator()
-{
-  for (int k = 0; k < modify->nfix; k++) {
-    const Fix *other = modify->fix[k];
-    if (other == this || !other->time_integrate || strncmp(other->style, "nve", 3) != 0) continue;
-    int both = 0;
-    for (int i = 0; i < atom->nlocal; i++) both |= (atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit);
-    MPI_Allreduce(MPI_IN_PLACE, &both, 1, MPI_INT, MPI_MAX, world);
-    if (both)
-      error->fix_error(FLERR, this, (std::string("a point must be moved by one integrator, but fix ") + other->id + " (" + other->style +
-                                     ") moves the same points: unfix one, or use groups that share none").c_str());
-  }
-}
+void FixNveCds::init() { require_one_integrator(lmp, *this); }
 
 void FixNveCds::initial_integrate(int)
 {
@@ -58,23 +41,11 @@ void FixNveCds::final_integrate() { kick_half_a_step(); }
 
 double FixNveCds::mass_of(int i) const { return atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]]; }
 
-/* ----------------------------------------------------------------------
-   null in a scene without a fluid. Looked up each time: an unfix followed
-   by a run with 'pre no' takes it away without a word to this fix.
-------------------------------------------------------------------------- */
-
-double **FixNveCds::per_atom(const char *name) const
-{
-  const int found = modify->find_fix(name);
-  const auto *property = found < 0 ? nullptr : dynamic_cast<const FixPropertyAtom *>(modify->fix[found]);
-  return property ? property->array_atom : nullptr;
-}
-
 void FixNveCds::kick_half_a_step()
 {
   std::optional<swellflow::StepClock::Scope> timing;
   if (FixObjects *objects = find_objects(lmp)) timing.emplace(objects->clock(), swellflow::StepClock::integration);
-  double **law = per_atom(FluidLaw::NAME), **impulse = per_atom(FluidImpulse::NAME);
+  double **law = fluid_columns(lmp, FluidLaw::NAME), **impulse = fluid_columns(lmp, FluidImpulse::NAME);
   const double half_step = 0.5 * update->dt * force->ftm2v;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;

@@ -20,8 +20,6 @@ class FixNveCds : public Fix {
   void kick_in_fluid(int i, double half_step, double mass, const double *law, double *impulse);
   double mass_of(int i) const;
   void drift_a_step();
-  double **per_atom(const char *name) const;
-  void require_one_integrator();
 };
 
 }  // namespace LAMMPS_NS

@@ -7,12 +7,10 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_objects.h"
-#include "input.h"
 #include "modify.h"
 #include "objects/outline.h"
 #include "options.h"
 #include "update.h"
-#include "variable.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -44,10 +42,9 @@ void FixSwell::parse(int narg, char **arg)
     options.number("rate", linear_.rate, Range::not_negative(), "diameter per time", "growth of the natural diameter").required();
     options.number("max", linear_.largest_diameter, Range::positive(), "length", "largest natural diameter").required();
   } else {
-    variable_ = line.word("variable");
-    if (variable_.rfind("v_", 0) != 0 || variable_.size() == 2)
-      line.fail("the size must be an equal-style variable written v_NAME, but is '" + variable_ + "': change it");
-    variable_.erase(0, 2);
+    const std::string given = line.empty() ? "" : line.peek();
+    if (given.rfind("v_", 0) != 0) line.fail("the size must be an equal-style variable written v_NAME, but is '" + given + "': change it");
+    size_ = swellflow::ScriptValue::read(line, law_ == DIAMETER ? "diameter" : "ratio", law_ == DIAMETER ? "length" : "swelling ratio");
   }
   options.parse(line);
 }
@@ -109,11 +106,7 @@ void FixSwell::start_law()
 void FixSwell::check_law()
 {
   if (law_ != LINEAR) {
-    const int variable = input->variable->find(const_cast<char *>(variable_.c_str()));
-    if (variable < 0 || !input->variable->equalstyle(variable))
-      error->fix_error(FLERR, this, ("the size must come from an equal-style variable, but '" + variable_ + "' is " +
-                                     (variable < 0 ? "not defined" : "of another style") + ": add 'variable " + variable_ +
-                                     " equal ...'").c_str());
+    swellflow::or_stop(lmp, [this] { size_.require(lmp); });
     return;
   }
   double largest = 0.0;
@@ -145,6 +138,7 @@ void FixSwell::setup(int) { objects_->require_whole_objects(*this); }
 
 void FixSwell::post_integrate()
 {
+  values_step_ = -1;  // a variable may have asked for the values of this step before it came
   evaluate_variable();
   grow(0, atom->nlocal);
 }
@@ -154,11 +148,9 @@ void FixSwell::pre_force(int) { grow(atom->nlocal, atom->nlocal + atom->nghost);
 void FixSwell::evaluate_variable()
 {
   if (law_ == LINEAR) return;
-  modify->clearstep_compute();
-  variable_value_ = input->variable->compute_equal(input->variable->find(const_cast<char *>(variable_.c_str())));
-  modify->addstep_compute(update->ntimestep + 1);
+  swellflow::with_variables(lmp, update->ntimestep + 1, [this] { variable_value_ = size_.evaluate(lmp); });
   if (!Range::positive().holds(variable_value_))
-    error->fix_error(FLERR, this, ("the size must be a number > 0, but variable '" + variable_ + "' gave " +
+    error->fix_error(FLERR, this, ("the size must be a number > 0, but variable '" + size_.variable() + "' gave " +
                                    swellflow::shown(variable_value_) + ": change its formula").c_str());
 }
 

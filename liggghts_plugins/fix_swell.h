@@ -1,12 +1,12 @@
 // Growth of the natural size of objects: natural lengths, CDS radii and masses as functions of time.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "fix.h"
 #include "fluid_partner.h"
 #include "objects/swelling_laws.h"
+#include "script_value.h"
 
 namespace LAMMPS_NS {
 
@@ -56,7 +56,7 @@ class FixSwell : public Fix {
   Law law_;
   bool absorb_;
   swellflow::LinearSwelling linear_;
-  std::string variable_;
+  swellflow::ScriptValue size_;
   double variable_value_;
   swellflow::SwellingClock clock_;
   FixObjects *objects_;

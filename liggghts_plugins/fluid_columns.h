@@ -15,10 +15,11 @@ struct FluidImpulse {
   static constexpr int N_COLUMNS = 3;
 };
 
-/// The force that a point's markers gave to the fluid in the last fluid step and that is carried into the next: x, y, z. Ghosts have it too.
+/// The force that a point's markers gave to the fluid in the last fluid step and that is carried into the next; and of the impulse behind it the part that came
+/// after the points had moved (forcing schemes other than direct), which they are still to receive. Ghosts have it too.
 struct FluidCarried {
   static constexpr const char *NAME = "fluid_carried";
-  static constexpr int N_COLUMNS = 3;
+  enum Column { FORCE_X, FORCE_Y, FORCE_Z, OWED_X, OWED_Y, OWED_Z, N_COLUMNS };
 };
 
 /// What else must migrate with a point between fluid steps.

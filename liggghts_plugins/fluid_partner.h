@@ -17,16 +17,44 @@ struct ObjectPoints {
   bool absorbs = false;  ///< it drinks what it swells by: the fluid crosses its outline at the speed of swelling
 };
 
-/// Sides of the box, in LIGGGHTS' order.
-enum class Side { xlo, xhi, ylo, yhi, zlo, zhi };
+/// What a side of the box does; the sides are in LIGGGHTS' order xlo, xhi, ylo, yhi, zlo, zhi.
+enum class SideKind {
+  wall,      ///< no-slip; moves within its plane
+  slip,      ///< free-slip
+  periodic,  ///< where the script's `boundary` says p
+  inflow,    ///< velocity given, uniform
+  parabolic_inflow,  ///< velocity given at the middle of the side, zero at its ends
+  outflow    ///< velocity carried out (convective condition), corrected so that as much leaves as enters
+};
+
+enum class AdvectionScheme { central, bounded, none };
+enum class ForcingScheme { direct, multi, implicit };
+
+/// By direction; the third is zero in 2-D.
+using Triple = std::array<double, 3>;
+
+/// What drives the fluid during a step, as the script's variables give it for the end of that step.
+struct FluidDrive {
+  Triple gravity{};                     ///< acceleration of the points; only their buoyancy is the fluid's matter
+  std::array<Triple, 6> side_velocity{};  ///< by side: of a wall, of an inflow (parabolic: at its middle)
+  Triple body_force{};                  ///< per mass of fluid [length/time^2]; a pressure drop over a periodic box is drop / (density * length)
+  Triple mean_velocity{};               ///< asked for in the directions of FluidOptions::controlled
+};
 
 /// The fluid as a script describes it. Lengths, times and masses in the units of the script; 2-D is per unit depth.
 struct FluidOptions {
   std::array<int, 3> cells{0, 0, 0};                  ///< across the box, per direction; 0 in a direction that is not solved
   double density = 0.0;
   double kinematic_viscosity = 0.0;
-  int dem_steps_per_fluid_step = 1;
-  std::array<std::array<double, 3>, 6> wall_velocity{};  ///< by Side; zero: a wall at rest
+  int dem_steps_per_fluid_step = 1;                   ///< with cfl > 0: the most there may be
+  double cfl = 0.0;                                   ///< 0: every step has dem_steps_per_fluid_step; else as many as keep the CFL number below this
+  std::array<SideKind, 6> sides{};                    ///< by side
+  std::array<bool, 3> controlled{};                   ///< periodic directions in which the mean velocity is held
+  Triple initial_velocity{};                          ///< of all fluid, before the first step
+  AdvectionScheme advection = AdvectionScheme::central;
+  ForcingScheme forcing = ForcingScheme::direct;
+  int forcing_loops = 1;                              ///< of ForcingScheme::multi
+  std::string kernel = "roma_1999";                   ///< roma_1999, peskin_2002, yang_2009
   double retraction = 0.3;                            ///< of the markers, towards the hub, in cells
   double marker_gap = 1.0;                            ///< largest natural distance of markers along the ring, in cells
 };
@@ -34,9 +62,18 @@ struct FluidOptions {
 /// Values that thermo_style shows as f_ID[n]; the order is that of fix fluid/ib's page.
 struct FluidReport {
   double mean_slip = 0.0, max_slip = 0.0, max_divergence = 0.0, cfl = 0.0, kinetic_energy = 0.0;
-  std::array<double, 3> force_on_objects{};
+  Triple force_on_objects{};
   double momentum_error = 0.0;   ///< |given to the fluid + received by the objects| / sum |J|
   double marker_gap = 0.0;       ///< largest distance between neighbouring markers, in cells
+  double step = 0.0;             ///< length of the last fluid step
+  Triple mean_velocity{};        ///< of the whole box, what is inside objects included
+  Triple driving_force{};        ///< body force per volume [pressure/length], that of the flow-rate controller included
+};
+
+/// Wall time of one phase of the step on this rank, since the partner was made.
+struct PhaseTime {
+  const char *name;
+  double seconds;
 };
 
 /// The cells of this rank, for output: direction 0 runs fastest, then 1, then 2.
@@ -55,15 +92,18 @@ class FluidPartner {
 public:
   virtual ~FluidPartner() = default;
   /// Before a run: points that have been in no fluid step yet feel their buoyancy from the start. Collective.
-  virtual void weigh(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity) = 0;
-  /// Before the first of N DEM steps: the fluid is predicted and the points' drag law for these steps is set. Collective.
-  virtual void begin_step(const std::vector<ObjectPoints> &objects, const std::array<double, 3> &gravity) = 0;
+  virtual void weigh(const std::vector<ObjectPoints> &objects, const Triple &gravity) = 0;
+  /// How many DEM steps of length dem_dt the coming fluid step should have: at least 1. Collective.
+  virtual int choose_dem_steps(double dem_dt) = 0;
+  /// Before the first of dem_steps DEM steps: the fluid is predicted and the points' drag law for these steps is set. Collective.
+  virtual void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) = 0;
   /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Collective.
   virtual void finish_step(const std::vector<ObjectPoints> &objects) = 0;
   virtual FluidReport report() = 0;  ///< of the last whole fluid step; collective
   virtual FieldBlock field_block() const = 0;
   virtual std::vector<FieldInfo> fields() const = 0;
   virtual void copy_field(const std::string &name, std::vector<double> &values) const = 0;  ///< components interleaved
+  virtual std::vector<PhaseTime> phase_times() const = 0;
   virtual double seconds_in_fluid() const = 0;
   virtual double seconds_in_coupling() const = 0;
 };

@@ -4,7 +4,6 @@
 
 #include "comm.h"
 #include "fix_fluid_ib.h"
-#include "modify.h"
 #include "timer.h"
 #include "update.h"
 
@@ -18,18 +17,12 @@ constexpr double seconds_worth_a_line = 0.1;  // loops of very short runs stay q
 
 }  // namespace
 
-const swellflow::FluidPartner *ProgressLine::partner() const
-{
-  for (int i = 0; i < modify->nfix; i++)
-    if (const auto *fix = dynamic_cast<const FixFluidIb *>(modify->fix[i])) return fix->partner();
-  return nullptr;
-}
-
 ProgressLine::Spent ProgressLine::spent(const StepClock &clock) const
 {
   Spent now;
   now.wall = StepClock::now();
-  if (const swellflow::FluidPartner *fluid = partner()) {
+  const FixFluidIb *fix = find_fluid(lmp);
+  if (const swellflow::FluidPartner *fluid = fix ? fix->partner() : nullptr) {
     now.fluid = fluid->seconds_in_fluid();
     now.coupling = fluid->seconds_in_coupling();
   }

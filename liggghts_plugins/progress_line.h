@@ -1,7 +1,6 @@
 // One line on the screen that says how far a run is, how long it will take, and what the time goes into.
 #pragma once
 
-#include "fluid_partner.h"
 #include "pointers.h"
 #include "step_clock.h"
 
@@ -19,7 +18,6 @@ class ProgressLine : protected Pointers {
   struct Spent {
     double wall = 0.0, fluid = 0.0, coupling = 0.0, springs = 0.0, contacts = 0.0;
   };
-  const swellflow::FluidPartner *partner() const;
   Spent spent(const swellflow::StepClock &clock) const;
   void print(const Spent &now);
 

@@ -14,6 +14,7 @@
 #include "fix_nve_cds.h"
 #include "fix_objects.h"
 #include "fix_output_vtk.h"
+#include "fix_prescribed.h"
 #include "fix_swell.h"
 #include "input.h"
 #include "lammps.h"
@@ -61,6 +62,8 @@ const FixMap &fix_styles()
     {"mass_spring", create_fix<FixMassSpring>},
     {"swell", create_fix<FixSwell>},
     {"nve/cds", create_fix<FixNveCds>},
+    {"held", create_fix<FixPrescribed>},
+    {"prescribed", create_fix<FixPrescribed>},
     {"fluid/ib", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixFluidIb(lmp, narg, arg, factories_of(lmp).fluid); }},
     {"output/vtk", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixOutputVtk(lmp, narg, arg, factories_of(lmp).output); }},
   };

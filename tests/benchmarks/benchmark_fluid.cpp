@@ -54,10 +54,10 @@ public:
   double dt;
 
 private:
-  static WallVelocities<2> lid()
+  static Boundaries<2> lid()
   {
-    WallVelocities<2> walls{};
-    walls[3] = {1.0, 0.0};
+    Boundaries<2> walls;
+    walls.velocity[3] = {1.0, 0.0};
     return walls;
   }
 };
@@ -90,34 +90,36 @@ void helmholtz_solve(benchmark::State &state)
 {
   const int n = static_cast<int>(state.range(0));
   Cavity cavity(n);
-  DirectSolver<2> solver(cavity.grid, cavity.flow.layout(), {End::value, End::value});
-  solver.set_operator(1.0, 0.01);
+  const Ends walls{End::value, End::value};
+  const auto solver = std::make_shared<DirectSolver<2>>(cavity.grid, cavity.flow.layout(), AllEnds<2>{walls, walls});
+  solver->set_operator(1.0, 0.01);
+  JointSolve<2, 1> solve(cavity.flow.layout(), {solver});
   Field<2> x(cavity.flow.layout());
-  for (auto _ : state) solver.solve(x, [](int) {}, [](int) {});
+  for (auto _ : state) solve({&x}, [](int) {}, [](int) {});
   per_item(state, "per_cell", 1.0 * n * n);
 }
 
 /// Circles of 31 markers a cell apart (D = 10 h), as in a bed.
 class Circles {
 public:
-  explicit Circles(Cavity &cavity) : markers(cavity.flow.grid(), cavity.flow.layout())
+  explicit Circles(Cavity &cavity) : markers(make_markers<2>("roma_1999", cavity.flow.grid(), cavity.flow.layout()))
   {
     const double h = cavity.grid.h;
     for (double y = 10.5 * h; y < 1.0 - 6 * h; y += 13 * h)
       for (double x = 10.5 * h; x < 1.0 - 6 * h; x += 13 * h)
         for (int k = 0; k < 31; ++k) positions.push_back({x + 5 * h * std::cos(k * 0.2027), y + 5 * h * std::sin(k * 0.2027)});
-    markers.place(positions);
+    markers->place(positions);
     values.assign(positions.size(), Vec<2>{1e-9, 2e-9});
   }
   std::vector<Vec<2>> positions, values;
-  Markers<2> markers;
+  std::unique_ptr<Markers<2>> markers;
 };
 
 void markers_place(benchmark::State &state)
 {
   Cavity cavity(static_cast<int>(state.range(0)));
   Circles circles(cavity);
-  for (auto _ : state) circles.markers.place(circles.positions);
+  for (auto _ : state) circles.markers->place(circles.positions);
   per_item(state, "per_marker", 1.0 * circles.positions.size());
 }
 
@@ -125,7 +127,7 @@ void markers_interpolate(benchmark::State &state)
 {
   Cavity cavity(static_cast<int>(state.range(0)));
   Circles circles(cavity);
-  for (auto _ : state) circles.markers.interpolate(cavity.flow.face_velocity(), circles.values);
+  for (auto _ : state) circles.markers->interpolate(cavity.flow.face_velocity(), circles.values);
   per_item(state, "per_marker", 1.0 * circles.positions.size());
 }
 
@@ -133,7 +135,7 @@ void markers_spread(benchmark::State &state)
 {
   Cavity cavity(static_cast<int>(state.range(0)));
   Circles circles(cavity);
-  for (auto _ : state) circles.markers.spread(circles.values, 1.0, cavity.flow.forcing());
+  for (auto _ : state) circles.markers->spread(circles.values, 1.0, cavity.flow.forcing());
   per_item(state, "per_marker", 1.0 * circles.positions.size());
 }
 

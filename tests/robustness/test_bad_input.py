@@ -51,7 +51,6 @@ ROWS = [
     ("CDS larger than its object", with_word("objects", "cds 0.2", "cds 0.6"), ["create_objects", "'cds' must be", "'0.6'", "change"]),
     ("type that the box does not have", with_word("objects", "type 1", "type 3"), ["create_objects", "'type' must be", "3", "create_box"]),
     ("cells that do not fit the box", with_word("fluid", "32 32", "32 40"), ["fluid/ib", "square", "32", "40"]),
-    ("side that is no wall", with_word("boundary", "f f p", "p f p"), ["fluid/ib", "wall", "boundary x is 'p'", "boundary f f p"]),
     ("side that moves", with_word("boundary", "f f p", "f m p"), ["fluid/ib", "fixed rectangle", "changes", "use"]),
     ("three dimensions", {"dimension": "dimension 3"}, ["create_objects", "dimension", "3"]),
     ("a wall that leaves its plane", with_word("fluid", "0.1 0", "0.1 0.2"), ["fix water fluid/ib", "within its plane", "0.2", "set it to 0"]),
@@ -80,6 +79,58 @@ ROWS = [
      ["output/vtk", "out", "folder of its own", "twin", "'post'", "name another"]),
 ]
 
+def fluid(words, boundary="f f p", before="", without_lid=True):
+    """The scene with words at the end of the fluid's line, which has no moving lid unless it is asked for."""
+    line = LINES["fluid"].replace(" wall yhi velocity 0.1 0", "") if without_lid else LINES["fluid"]
+    return {"boundary": "boundary " + boundary, "fluid": before + line + " " + words}
+
+
+PLACE = "fix water fluid/ib"
+
+FLUID_ROWS = [
+    ("a side described twice", fluid("slip yhi", without_lid=False), [PLACE, "described once", "yhi is here twice", "take one"]),
+    ("a keyword on a periodic side", fluid("slip xlo", "p f p"), [PLACE, "a periodic direction has no sides", "'slip xlo'", "boundary x is 'p'", "leave"]),
+    ("sides of which one is periodic", {"boundary": "boundary pf f p"}, ["periodic"]),
+    ("inflow and no outflow", fluid("inflow xlo uniform 0.1 0"), [PLACE, "what flows in must leave", "'inflow'", "add 'outflow SIDE'"]),
+    ("outflow and no inflow", fluid("outflow xlo"), [PLACE, "leaves what has come in", "'outflow'", "no 'inflow'", "add"]),
+    ("inflow that points out", fluid("inflow xlo parabolic -0.1 0 outflow xhi"), [PLACE, "points into the box", "xlo", "-0.1", "change its sign"]),
+    ("inflow without its profile", fluid("inflow xlo 0.1 0 outflow xhi"), [PLACE, "'inflow' must be uniform or parabolic", "'0.1'", "change"]),
+    ("pressure drop between walls", fluid("pressure_drop 1 0"), [PLACE, "periodic direction", "boundary x is not 'p'", "set it to 0"]),
+    ("mean velocity between walls", fluid("mean_velocity y 0.1", "p f p"), [PLACE, "periodic direction", "boundary y is not 'p'", "'inflow'"]),
+    ("mean velocity given twice", fluid("mean_velocity x 1 mean_velocity x 1", "p f p"), [PLACE, "once a direction", "'mean_velocity x'", "take one"]),
+    ("mean velocity beside a body force", fluid("mean_velocity x 1 body_force 1 0", "p f p"), [PLACE, "'mean_velocity x'", "'body_force'", "set it to 0"]),
+    ("mean velocity beside a pressure drop", fluid("mean_velocity x 1 pressure_drop 1 0", "p f p"), [PLACE, "'mean_velocity x'", "'pressure_drop'", "set it to 0"]),
+    ("cfl without every", with_word("fluid", "every 2", "cfl 0.5"), [PLACE, "'cfl'", "'every' is missing", "add 'every N'"]),
+    ("kernel that is not there", fluid("kernel roma"), [PLACE, "'kernel' must be roma_1999", "'roma'", "change"]),
+    ("forcing that is not there", fluid("forcing double"), [PLACE, "'forcing' must be direct", "'double'", "change"]),
+    ("advection that is not there", fluid("advection upwind"), [PLACE, "'advection' must be central", "'upwind'", "change"]),
+    ("driving variable that is not there", fluid("body_force v_g 0"), [PLACE, "'body_force, x'", "equal-style variable", "'g' is not defined", "add"]),
+    ("driving variable of another style", fluid("body_force 0 v_g", before="variable g atom x\n"),
+     [PLACE, "'body_force, y'", "equal-style variable", "'g' is of another style", "add"]),
+    ("start by a variable that is not there", fluid("initial_velocity v_u 0"), [PLACE, "'initial_velocity, x'", "'u' is not defined", "add"]),
+]
+
+HOLD = "fix flat all enforce2d\nfix hold all "
+
+HELD_ROWS = [
+    ("a keyword of held", {"swell": "", "thermo": "", "move": HOLD + "held velocity 1 0"}, ["fix hold held", "unknown keyword", "'velocity'", "remove"]),
+    ("unknown keyword of prescribed", {"swell": "", "thermo": "", "move": HOLD + "prescribed speed 1 0"},
+     ["fix hold prescribed", "unknown keyword", "'speed'", "velocity, spin"]),
+    ("prescribed by a variable that is not there", {"swell": "", "thermo": "", "move": HOLD + "prescribed spin v_w"},
+     ["fix hold prescribed", "'spin'", "equal-style variable", "'w' is not defined", "add"]),
+    ("held and free", {"swell": "", "thermo": "", "move": HOLD + "held\nfix move all nve/cds"}, ["(id hold)", "one integrator", "fix move (nve/cds)", "unfix"]),
+    ("free and prescribed", {"swell": "", "thermo": "", "move": LINES["move"] + "\nfix hold all prescribed"},
+     ["(id move)", "one integrator", "fix hold (prescribed)", "unfix"]),
+    ("held and moved by LIGGGHTS", {"swell": "", "thermo": "", "move": HOLD + "held\nfix again all nve/sphere"},
+     ["(id hold)", "one integrator", "fix again (nve/sphere)", "unfix"]),
+    ("held and growing", {"thermo": "", "move": HOLD + "held"}, ["(id hold)", "keeps its size", "fix grow (swell)", "groups"]),
+    ("part of an object held", {"swell": "", "thermo": "", "move": "group some id 1:5\ngroup rest subtract all some\nfix hold some held\nfix move rest nve/cds\nfix flat all enforce2d"},
+     ["(id hold)", "all points of an object or none", "object (molecule) 1", "molecule ids"]),
+    ("held without objects", {"objects": "", "springs": "", "swell": "", "thermo": "", "move": "fix hold all held"}, ["held", "create_objects"]),
+]
+
+ROWS += FLUID_ROWS + HELD_ROWS
+
 RUNAWAY = ["objects", "must", "object (molecule) ", "at step ", "use a shorter time step or softer springs"]
 
 DURING_A_RUN = [
@@ -99,6 +150,15 @@ DURING_A_RUN = [
      dry(run="variable nan equal 1e308*10-1e308*10\ngroup one id 5\nfix push one addforce v_nan 0 0\nrun 10"), RUNAWAY + ["finite"]),
     ("points that become infinite", dry(run="group one id 5\nfix push one addforce 1e308 0 0\ntimestep 1e10\nrun 10"),
      RUNAWAY + ["finite"]),
+    ("a wall that begins to leave its plane", fluid("wall yhi velocity 0 v_u", before="variable u equal 0.1*(step>5)\n"),
+     ["fix water fluid/ib", "within its plane", "yhi is 0.1", "set it to 0", "variable 'u' for step 6"]),
+    ("an inflow that turns round", fluid("inflow xlo uniform v_u 0 outflow xhi", before="variable u equal 5-step\n"),
+     ["fix water fluid/ib", "points into the box", "xlo", "is -1", "variable 'u' for step 6"]),
+    ("a driving force that is not a number", fluid("body_force v_g 0", before="variable g equal (step>5)*1e308*10\n"),
+     ["fix water fluid/ib", "'body_force, x'", "finite number", "variable 'g' gave", "for step 6", "change its formula"]),
+    ("a prescribed velocity that is not a number",
+     {"swell": "", "thermo": "thermo 5", "move": HOLD + "prescribed velocity v_u 0", "map": LINES["map"] + "\nvariable u equal (step>5)*1e308*10"},
+     ["fix hold prescribed", "'velocity, x'", "finite number", "variable 'u' gave", "for step 6", "change its formula"]),
     ("no set-up after an unfix", {"thermo": "", "run": "run 2\nunfix water\nrun 2 pre no"},
      ["objects", "fixes must stay", "before step 3", "leave out 'pre no'"]),
     ("no set-up after an unfix, integrator last", moved("move", "output").replace(" f_water[1]", "").replace("run 10", "run 2\nunfix water\nrun 2 pre no"),
@@ -110,6 +170,10 @@ STAYS_ALLOWED = [
     ("delete between runs", dry(run="run 2\ngroup one molecule 1\ndelete_atoms group one compress no\nrun 10")),
     ("make between runs", dry(run="run 2\ncreate_objects disk 0.5 0.5 diameter 0.05 density 1500\nrun 10")),
     ("large ids", dry(run="group one molecule 1\nset group one mol 2000000000\nrun 10")),
+    ("periodic sides", fluid("mean_velocity x 0.1", "p f p")),
+    ("all sides periodic", fluid("body_force 0 0.1", "p p p")),
+    ("held in a stream", {"swell": "", "thermo": "thermo 5", "move": HOLD + "held",
+                          "fluid": LINES["fluid"].replace("wall yhi velocity 0.1 0", "inflow xlo parabolic 0.1 0 outflow xhi slip yhi")}),
     ("unfix with set-up", {"thermo": "", "output": "", "run": "run 2\nunfix water\nrun 2\nrun 2 pre no"}),
 ]
 
@@ -147,6 +211,16 @@ class BadInput(ProgramTest):
 
     def test_each_row_during_a_run_on_2_ranks(self):
         self.check(2, DURING_A_RUN, runs=True)
+
+    def test_a_flow_that_nothing_resists_is_warned_of(self):
+        alone = {"objects": "", "springs": "", "swell": "", "move": "", "output": "", "contact": "", "pair": "", "thermo": ""}
+        alone["region"] = LINES["region"].replace("-0.005 0.005", "-0.02 0.02")
+        for boundary, words, expected in (("p p p", "body_force 0 1", 1), ("p f p", "pressure_drop 1 0 slip ylo slip yhi", 1), ("p f p", "pressure_drop 1 0", 0)):
+            with self.subTest(words, boundary=boundary):
+                result = self.succeed(scene(**{**alone, **fluid(words, boundary)}), ranks=2, name=f"free {boundary} {expected} {len(words)}".replace(" ", "_"))
+                self.assertEqual(result.output.count("accelerates without bound"), expected)
+        result = self.succeed(scene(**fluid("body_force 0 1", "p p p")), name="objects_resist")
+        self.assertNotIn("accelerates", result.output)
 
     def test_what_stays_allowed(self):
         for name, change in STAYS_ALLOWED:

@@ -1,6 +1,7 @@
 // What users may write, and what they are told when they write something else.
 #include <gtest/gtest.h>
 
+#include "liggghts_plugins/fluid_script.h"
 #include "liggghts_plugins/object_list.h"
 #include "liggghts_plugins/options.h"
 
@@ -34,6 +35,23 @@ std::string complaint(const std::string &line, const std::string &file_text = ""
   try {
     made(line, file_text);
   } catch (const std::invalid_argument &problem) {
+    return problem.what();
+  }
+  return "no error";
+}
+
+/// What fix fluid/ib makes of the words behind the ones that it cannot do without, in a box of 2 x 1 that is periodic along x or not.
+FluidScript fluid(const std::string &words, bool periodic_x = false, bool periodic_y = false)
+{
+  Arguments line("fix water fluid/ib", words_of("cells 40 20 density 1000 viscosity 0.01 " + words));
+  return FluidScript(line, {.periodic = {periodic_x, periodic_y}, .length = {2.0, 1.0}});
+}
+
+std::string fluid_complaint(const std::string &words, bool periodic_x = false, bool periodic_y = false)
+{
+  try {
+    fluid(words, periodic_x, periodic_y);
+  } catch (const OptionError &problem) {
     return problem.what();
   }
   return "no error";
@@ -138,4 +156,69 @@ TEST(CreateObjectsLine, FileErrorsNameFileAndLine)
   expect_all(complaint(line, "x,y,diameter,points\n0,0,1,3.5\n"), {"beads.csv line 2", "'points' must be a whole number", "'3.5'"});
   expect_all(complaint(line, "x,y\n0,0\n"), {"create_objects file", "keyword 'diameter' is missing"});
   expect_all(complaint("file"), {"create_objects file", "not enough arguments for 'file'"});
+}
+
+TEST(FluidLine, SidesAreWallsPeriodicOrAsTheLineSays)
+{
+  const FluidOptions plain = fluid("").options();
+  for (int side = 0; side < 4; ++side) EXPECT_EQ(plain.sides[side], SideKind::wall);
+  EXPECT_EQ(plain.dem_steps_per_fluid_step, 1);
+  EXPECT_EQ(plain.cfl, 0.0);
+  const FluidOptions flow = fluid("inflow xlo uniform 0.1 0 outflow xhi slip ylo wall yhi velocity 0.1 0").options();
+  EXPECT_EQ(flow.sides[0], SideKind::inflow);
+  EXPECT_EQ(flow.sides[1], SideKind::outflow);
+  EXPECT_EQ(flow.sides[2], SideKind::slip);
+  EXPECT_EQ(flow.sides[3], SideKind::wall);
+  const FluidOptions held = fluid("mean_velocity x v_u mean_velocity y 0.5", true, true).options();
+  for (int side = 0; side < 4; ++side) EXPECT_EQ(held.sides[side], SideKind::periodic);
+  EXPECT_TRUE(held.controlled[0] && held.controlled[1]);
+  EXPECT_EQ(fluid("forcing multi 4").options().forcing_loops, 4);
+  EXPECT_EQ(fluid("forcing implicit advection none kernel yang_2009").options().kernel, "yang_2009");
+}
+
+TEST(FluidLine, KnowsWhetherAnythingVaries)
+{
+  EXPECT_FALSE(fluid("wall yhi velocity 0.1 0 body_force 1 2 initial_velocity v_u v_v").varies());
+  EXPECT_TRUE(fluid("wall yhi velocity v_u 0").varies());
+  EXPECT_TRUE(fluid("pressure_drop v_p 0", true).varies());
+}
+
+TEST(FluidLine, KnowsWhenNothingResists)
+{
+  EXPECT_TRUE(fluid("body_force 1 0", true, true).is_driven_without_resistance());
+  EXPECT_TRUE(fluid("pressure_drop v_p 0 slip ylo slip yhi", true).is_driven_without_resistance());
+  EXPECT_FALSE(fluid("body_force 1 0 slip ylo", true).is_driven_without_resistance());
+  EXPECT_FALSE(fluid("body_force 0 0", true, true).is_driven_without_resistance());
+  EXPECT_FALSE(fluid("mean_velocity x 1", true, true).is_driven_without_resistance());
+  EXPECT_FALSE(fluid("body_force 0 1 slip ylo slip yhi", true).is_driven_without_resistance());
+}
+
+TEST(FluidLine, SaysWhatIsWrong)
+{
+  expect_all(fluid_complaint("slip xlo wall xlo velocity 0 1"), {"fix water fluid/ib", "described once", "xlo is here twice", "take one"});
+  expect_all(fluid_complaint("slip xhi", true), {"a periodic direction has no sides", "'slip xhi'", "boundary x is 'p'", "leave 'slip' out"});
+  expect_all(fluid_complaint("wall ylo velocity 0 1", false, true), {"'wall ylo'", "boundary y is 'p'"});
+  expect_all(fluid_complaint("inflow xlo uniform 1 0"), {"what flows in must leave", "add 'outflow SIDE'"});
+  expect_all(fluid_complaint("outflow xlo"), {"'outflow' and no 'inflow'", "nothing would leave", "add 'inflow"});
+  expect_all(fluid_complaint("inflow xlo uniform -1 0 outflow xhi"), {"points into the box", "on xlo its velocity in x is -1", "change its sign"});
+  expect_all(fluid_complaint("inflow yhi parabolic 0 1 outflow ylo"), {"points into the box", "on yhi its velocity in y is 1"});
+  expect_all(fluid_complaint("wall yhi velocity 0 0.1"), {"within its plane", "on yhi is 0.1", "set it to 0"});
+  expect_all(fluid_complaint("wall yhi velocity 0"), {"not enough arguments for 'wall yhi velocity, y'", "v_NAME"});
+  expect_all(fluid_complaint("wall yhi velocity v_ 0"), {"must name its variable behind v_", "'v_'"});
+  expect_all(fluid_complaint("wall yhi velocity u 0"), {"'wall yhi velocity, x' must be a number", "or v_NAME of an equal-style variable", "'u'"});
+  expect_all(fluid_complaint("inflow xlo 1 0"), {"'inflow' must be uniform or parabolic", "'1'"});
+  expect_all(fluid_complaint("pressure_drop 1 0"), {"acts along a periodic direction", "boundary x is not 'p'", "set it to 0"});
+  expect_all(fluid_complaint("pressure_drop 1 v_p", true), {"boundary y is not 'p'"});
+  expect_all(fluid_complaint("mean_velocity x 1"), {"along a periodic direction", "boundary x is not 'p'", "'inflow'"});
+  expect_all(fluid_complaint("mean_velocity z 1"), {"'mean_velocity' must be x or y", "'z'"});
+  expect_all(fluid_complaint("mean_velocity x 1 mean_velocity x 2", true), {"once a direction", "'mean_velocity x' is here twice"});
+  expect_all(fluid_complaint("mean_velocity x 1 body_force 1 0", true), {"'mean_velocity x'", "'body_force'", "set it to 0"});
+  expect_all(fluid_complaint("pressure_drop v_p 0 mean_velocity x 1", true), {"'mean_velocity x'", "'pressure_drop'", "leave 'mean_velocity' out"});
+  EXPECT_EQ(fluid_complaint("mean_velocity x 1 body_force 0 1", true), "no error");
+  expect_all(fluid_complaint("cfl 0.5"), {"'cfl'", "'every' is missing", "add 'every N'"});
+  expect_all(fluid_complaint("cfl 0 every 5"), {"'cfl' must be a number > 0", "'0'"});
+  expect_all(fluid_complaint("forcing multi"), {"not enough arguments for 'forcing multi'", ">= 1"});
+  expect_all(fluid_complaint("forcing twice"), {"'forcing' must be direct or multi or implicit", "'twice'"});
+  expect_all(fluid_complaint("kernel roma"), {"'kernel' must be roma_1999 or peskin_2002 or yang_2009", "'roma'"});
+  expect_all(fluid_complaint("advection upwind"), {"'advection' must be central or bounded or none", "'upwind'"});
 }

@@ -29,8 +29,9 @@ public:
   static double pressure(int i, int j) { return 100.0 * i + j; }
   static Vec3 velocity(int i, int j) { return {0.1 * i, std::sin(j), 0.0}; }
 
-  void weigh(const std::vector<ObjectPoints> &, const std::array<double, 3> &) override {}
-  void begin_step(const std::vector<ObjectPoints> &, const std::array<double, 3> &) override {}
+  void weigh(const std::vector<ObjectPoints> &, const Triple &) override {}
+  int choose_dem_steps(double) override { return 1; }
+  void begin_step(const std::vector<ObjectPoints> &, const FluidDrive &, int) override {}
   void finish_step(const std::vector<ObjectPoints> &) override {}
   FluidReport report() override { return {}; }
   FieldBlock field_block() const override { return {{nx_, ny_, 1}, {0, first_row_, 0}, {nx_, rows_, 1}, {-1.0, 2.0, 0.0}, 0.25}; }
@@ -45,6 +46,7 @@ public:
         else
           for (double component : velocity(i, j)) values.push_back(component);
   }
+  std::vector<PhaseTime> phase_times() const override { return {}; }
   double seconds_in_fluid() const override { return 0.0; }
   double seconds_in_coupling() const override { return 0.0; }
 

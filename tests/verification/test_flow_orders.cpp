@@ -130,9 +130,9 @@ TEST(FlowOrders, SecondOrderWhenTheStepChanges)
 double smallest_centre_velocity(int n, double reynolds, double dt, double t_end)
 {
   Grid<2> grid({n, n}, {}, 1.0 / n, MPI_COMM_WORLD);
-  WallVelocities<2> walls{};
-  walls[3] = {1.0, 0.0};
-  FlowSolver<2> flow(grid, {1.0, 1.0 / reynolds}, walls);
+  Boundaries<2> lid;
+  lid.velocity[3] = {1.0, 0.0};
+  FlowSolver<2> flow(grid, {1.0, 1.0 / reynolds}, lid);
   for (double t = 0.0; t < t_end; t += dt) {
     flow.predict_velocity(dt);
     flow.project(dt);
@@ -158,9 +158,9 @@ TEST(LidDrivenCavity, SmallestCentreVelocity)
 TEST(FlowSolver, RefusesAWallThatMovesAlongItsNormal)
 {
   Grid<2> grid({8, 8}, {}, 1.0, MPI_COMM_WORLD);
-  WallVelocities<2> walls{};
-  walls[3] = {0.0, 1.0};
-  EXPECT_THROW(FlowSolver<2>(grid, {1.0, 1.0}, walls), std::invalid_argument);
+  Boundaries<2> lifting;
+  lifting.velocity[3] = {0.0, 1.0};
+  EXPECT_THROW(FlowSolver<2>(grid, {1.0, 1.0}, lifting), std::invalid_argument);
 }
 
 }  // namespace

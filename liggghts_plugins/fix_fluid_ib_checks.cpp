@@ -1,0 +1,98 @@
+// What must hold before a fluid can run, and what users are told when it does not.
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_fluid_ib.h"
+#include "fix_objects.h"
+#include "fluid_columns.h"
+#include "integrators.h"
+#include "modify.h"
+#include "options.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace swellflow;
+
+void FixFluidIb::require_settings()
+{
+  if (domain->dimension != 2)
+    error->fix_error(FLERR, this, "the fluid is two-dimensional, but the dimension is 3: use 'dimension 2'");
+  if (domain->triclinic || domain->box_change)
+    error->fix_error(FLERR, this, "the fluid's box must be a fixed rectangle, but it is tilted or changes: use an orthogonal box and no fix deform");
+  require_sides();
+  if (!comm->ghost_velocity)
+    error->fix_error(FLERR, this, "ranks must know the velocities of each other's points, but ghosts have none: add 'communicate single vel yes'");
+  for (const char *name : {FluidLaw::NAME, FluidImpulse::NAME, FluidCarried::NAME, FluidState::NAME})
+    if (modify->find_fix(name) < 0)
+      error->fix_error(FLERR, this, ("the fluid keeps its state in fix '" + std::string(name) + "', which is gone: do not unfix it").c_str());
+}
+
+void FixFluidIb::require_sides()
+{
+  for (int d = 0; d < 2; d++) {
+    const std::string boundary = std::string("boundary ") + "xy"[d];
+    for (int end = 0; end < 2; end++)
+      if (domain->boundary[d][end] > 1)
+        error->fix_error(FLERR, this, ("each side of the fluid must be at a fixed place or periodic, but " + boundary + " is '" +
+                                       "pfsm"[domain->boundary[d][end]] + "': put f or p there in 'boundary'").c_str());
+    const bool was_periodic = script_->options().sides[2 * d] == SideKind::periodic;
+    if (was_periodic != (domain->periodicity[d] != 0))
+      error->fix_error(FLERR, this, ("the sides of the fluid are those that its line was read with, but " + boundary +
+                                     " was changed since: put 'change_box' above 'fix fluid/ib'").c_str());
+  }
+}
+
+/* ----------------------------------------------------------------------
+   only integrators that know the fluid's law let the points feel it
+------------------------------------------------------------------------- */
+
+void FixFluidIb::require_integrators()
+{
+  const FixObjects *known = find_objects(lmp);
+  if (!known) return;
+  int missing = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!known->is_point(i)) continue;
+    bool moved = false;
+    for (int k = 0; k < modify->nfix; k++)
+      moved = moved || (knows_fluid_law(*modify->fix[k]) && (atom->mask[i] & modify->fix[k]->groupbit));
+    if (!moved) missing = 1;
+  }
+  int missing_anywhere = 0;
+  MPI_Allreduce(&missing, &missing_anywhere, 1, MPI_INT, MPI_MAX, world);
+  if (missing_anywhere)
+    error->fix_error(FLERR, this, "each object in the fluid needs an integrator that knows the fluid's force, but some have none: "
+                                  "add 'fix ID all nve/cds' in place of other nve styles, or 'held' or 'prescribed' for objects that do not move freely");
+}
+
+/* ----------------------------------------------------------------------
+   the law of a fluid step under way was made for its time step
+------------------------------------------------------------------------- */
+
+void FixFluidIb::require_same_step()
+{
+  if (dem_step_ == 0 || update->dt == dt_) return;
+  const bool chosen = script_->options().cfl > 0.0;
+  const std::string remedy = chosen ? "with 'cfl', change it before the first run only" : "let the run before end with a multiple of 'every'";
+  const std::string message = "the time step may change between fluid steps only, but it goes from " + shown(dt_) + " to " + shown(update->dt) + " after " +
+                              std::to_string(dem_step_) + " of " + std::to_string(dem_steps_) + " DEM steps: " + remedy;
+  error->fix_error(FLERR, this, message.c_str());
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixFluidIb::warn_without_resistance()
+{
+  if (warned_ || !script_->is_driven_without_resistance()) return;
+  const FixObjects *known = find_objects(lmp);
+  int points = 0;
+  for (int i = 0; known && i < atom->nlocal; i++) points += known->is_point(i);
+  MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_INT, MPI_SUM, world);
+  warned_ = true;
+  if (points == 0 && comm->me == 0)
+    error->warning(FLERR, (std::string("Fix fluid/ib (id ") + id + "): a force drives the fluid along a periodic direction, and neither a wall nor an object "
+                           "resists: the flow accelerates without bound. Use 'mean_velocity', a wall or an object").c_str());
+}
