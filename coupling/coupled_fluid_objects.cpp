@@ -25,7 +25,7 @@ template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &o
 {
   const ObjectMotion motion = motion_of(object, points_);
   return_inner_fluid(object, motion, gravity);
-  ring_.place(object, points_, markers_per_point(object), options_.retraction * flow_.grid().h);
+  ring_.place(object, points_, markers_per_point(object), options_.retraction.value_or(markers_->retraction()) * flow_.grid().h);
   share_carried_force(object);
   open_accounts(object, object.absorbs ? absorption_rate(object) : 0.0);
   remember_motion(object, motion);

@@ -17,6 +17,7 @@ public:
   void interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const override;
   void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const override;
   double scale() const override { return Kernel::scale; }
+  double retraction() const override { return Kernel::retraction; }
 
 private:
   static constexpr int width = Kernel::width;

@@ -32,6 +32,8 @@ public:
 
   /// beta of the kernel (see delta_kernel.h): what comes back of a velocity that is spread from markers a cell apart. Forcing is divided by it.
   virtual double scale() const = 0;
+  /// By how many cells markers lie inside the outline of a body for the flow around it to be that around the outline (see delta_kernel.h).
+  virtual double retraction() const = 0;
 };
 
 /// Markers with the kernel of that name: roma_1999, peskin_2002 or yang_2009. Throws std::invalid_argument on any other.

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,7 @@ struct FluidOptions {
   ForcingScheme forcing = ForcingScheme::direct;
   int forcing_loops = 1;                              ///< of ForcingScheme::multi
   std::string kernel = "roma_1999";                   ///< roma_1999, peskin_2002, yang_2009
-  double retraction = 0.3;                            ///< of the markers, towards the hub, in cells
+  std::optional<double> retraction;                   ///< of the markers, towards the hub, in cells; none given: that of the kernel
   double marker_gap = 1.0;                            ///< largest natural distance of markers along the ring, in cells
 };
 

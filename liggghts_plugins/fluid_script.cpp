@@ -85,7 +85,10 @@ void FluidScript::declare_method(Options &options)
     const std::vector<std::string> kernels = {"roma_1999", "peskin_2002", "yang_2009"};
     options_.kernel = kernels[words.choice("kernel", kernels)];
   }, "delta kernel between markers and cells");
-  options.number("retraction", options_.retraction, Range::not_negative(), "cells", "of the markers, from the ring point towards the hub");
+  options.custom("retraction", [&](Arguments &words) {
+    if (words.next_is_number()) options_.retraction = words.number("retraction", Range::not_negative(), "cells");
+    else words.choice("retraction", {"kernel"});
+  }, "R cells, or 'kernel': of the markers, from the ring point towards the hub");
   options.number("marker_gap", options_.marker_gap, Range::positive(), "cells", "largest natural distance of markers along a ring");
 }
 
