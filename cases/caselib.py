@@ -12,6 +12,7 @@ import csv
 import json
 import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -93,12 +94,34 @@ class Run:
     def thermo(self):
         return read_thermo(self.folder / "log.liggghts")
 
+    def again(self, name, **changes):
+        """The same run with other variables, in the sub-folder `name`; what it prints is kept in NAME.log."""
+        variables = json.loads((self.folder / RUN_FILE).read_text())["variables"]
+        command = [sys.executable, str(CASES / "run"), self.case.name, "--np", str(self.ranks), "--out", str(self.folder / name)]
+        for key, value in {**variables, **changes}.items():
+            command += ["-var", key, f"{value}"]
+        print(f"running {', '.join(f'{key} {value}' for key, value in changes.items())} for comparison …", flush=True)
+        with open(self.folder / f"{name}.log", "w") as log:
+            if subprocess.run(command, stdout=log, stderr=subprocess.STDOUT).returncode:
+                sys.exit(f"that run failed: see {log.name}")
+        return type(self)(self.folder / name)
+
 
 class Table:
     """What a check found: one line a condition, then the figure; ends the script, non-zero when a condition failed."""
 
     def __init__(self):
         self.failed = 0
+        self.compared = True
+
+    def note(self, name, value):
+        """A figure that is shown and not judged."""
+        print(f"      {name}: {value:.6g}")
+
+    def nothing_published(self, what):
+        """No reference is at hand for these variables: only what every flow must keep is judged."""
+        self.compared = False
+        print(f"      {what}: no published value is at hand, the figures below are compared with nothing")
 
     def line(self, name, value, condition, good):
         self.failed += not good
@@ -118,5 +141,6 @@ class Table:
 
     def finish(self, name, value):
         verdict = f"{self.failed} of the conditions failed" if self.failed else "all conditions hold"
+        verdict += "" if self.compared else ", but no published value was compared"
         print(f"{verdict}; {name} = {value:.6g}" if isinstance(value, float) else f"{verdict}; {name} = {value}")
         sys.exit(1 if self.failed else 0)

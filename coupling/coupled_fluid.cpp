@@ -1,6 +1,7 @@
 #include "coupling/coupled_fluid.h"
 
 #include <cmath>
+#include <utility>
 
 #include "coupling/stopwatch.h"
 
@@ -68,25 +69,27 @@ template <int Dim> void CoupledFluid<Dim>::weigh(const std::vector<ObjectPoints>
   }
 }
 
-/// As many as the CFL number allows. Growth is gradual and waits until it pays: a new length means new factors for the viscous solves.
-template <int Dim> int CoupledFluid<Dim>::choose_dem_steps(double dem_dt)
+/// As many as the CFL number of the flow as it is, and of its sides as they will be, allows. The first step has one: nobody knows yet what the sides will do to a fluid
+/// at rest. Growth is gradual and waits until it pays: a new length means new factors for the viscous solves.
+template <int Dim> int CoupledFluid<Dim>::choose_dem_steps(double dem_dt, const FluidDrive &drive)
 {
   const int most = options_.dem_steps_per_fluid_step;
   if (options_.cfl <= 0.0) return most;
+  if (dt_ == 0.0) return 1;
   constexpr double pays = 1.2, largest_growth = 1.5;
-  const double speed = flow_.max_speed_sum();
-  const double allowed = speed > 0.0 ? options_.cfl * flow_.grid().h / (speed * dem_dt) : most;
+  double speed = flow_.max_speed_sum();
+  for (const Triple &side : drive.side_velocity) speed = std::max(speed, std::abs(side[0]) + std::abs(side[1]) + std::abs(side[2]));
+  const double allowed = speed > 0.0 ? options_.cfl * flow_.grid().h / (speed * dem_dt) : most, before = dt_ / dem_dt;
   const int wanted = std::max(1, static_cast<int>(std::min<double>(most, allowed)));
-  if (dem_steps_ == 0 || wanted < dem_steps_) return wanted;
-  if (wanted < pays * dem_steps_ && wanted < most) return dem_steps_;
-  return std::min(wanted, std::max(dem_steps_ + 1, static_cast<int>(largest_growth * dem_steps_)));
+  if (wanted <= before) return wanted;
+  if (wanted < pays * before && wanted < most) return std::max(1, static_cast<int>(before + 1e-9));
+  return std::min(wanted, static_cast<int>(std::max(before + 1.0, largest_growth * before) + 1e-9));
 }
 
 template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps)
 {
   points_.refresh();
   dt_before_ = dt_;
-  dem_steps_ = dem_steps;
   dt_ = dem_steps * points_.time_step();
   this->drive(drive);
   describe_markers(objects, drive.gravity);
@@ -112,8 +115,10 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
     flow_.project(dt_);
   }
   last_dt_ = dt_;
+  last_marker_gap_ = marker_gap_;
   last_body_force_ = body_force_;
   measure_slip();
+  require_finite_flow();
 }
 
 template <int Dim> void CoupledFluid<Dim>::drive(const FluidDrive &drive)
@@ -121,6 +126,8 @@ template <int Dim> void CoupledFluid<Dim>::drive(const FluidDrive &drive)
   for (int side = 0; side < 2 * Dim; ++side) flow_.set_side_velocity(side, first_of<Dim>(drive.side_velocity[side]));
   body_force_ = first_of<Dim>(drive.body_force);
   if (flow_rate_.active()) flow_rate_.update(flow_.mean_velocity(), first_of<Dim>(drive.mean_velocity), dt_, body_force_);
+  for (int d = 0; d < Dim; ++d)
+    if (!flow_.grid().periodic[d]) body_force_[d] = 0.0;  // the pressure balances it
   flow_.set_body_force(body_force_);
 }
 
@@ -134,7 +141,7 @@ template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<Ob
   offset_.clear();
   to_.clear();
   marker_gap_ = 0.0;
-  owed_balance_ = {};
+  owed_balance_ = std::exchange(given_late_, VecD{});
   for (int i = 0; i < points_.n_own(); ++i) {
     std::fill_n(points_.law[i], static_cast<int>(FluidLaw::N_COLUMNS), 0.0);
     std::fill_n(points_.impulse[i], FluidImpulse::N_COLUMNS, 0.0);
@@ -275,7 +282,10 @@ std::unique_ptr<FluidPartner> make_coupled_fluid(void *lammps, const FluidOption
                                 std::to_string(high[1] - low[1]) + " makes them " + std::to_string(h) + " x " + std::to_string(h_y) +
                                 "; choose numbers of cells in the ratio of the box's sides");
   Boundaries<2> boundaries;
-  for (int side = 0; side < 4; ++side) boundaries.kind[side] = boundary_of(options.sides[side]);
+  for (int side = 0; side < 4; ++side) {
+    boundaries.kind[side] = boundary_of(options.sides[side]);
+    boundaries.velocity[side] = first_of<2>(options.initial_side_velocity[side]);
+  }
   const Grid<2> grid({options.cells[0], options.cells[1]}, {low[0], low[1]}, h, engine.communicator(), boundaries.periodic());
   return std::make_unique<CoupledFluid<2>>(lammps, options, grid, boundaries);
 }

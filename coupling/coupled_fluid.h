@@ -30,7 +30,7 @@ public:
   CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const Boundaries<Dim> &boundaries);
 
   void weigh(const std::vector<ObjectPoints> &objects, const Triple &gravity) override;
-  int choose_dem_steps(double dem_dt) override;
+  int choose_dem_steps(double dem_dt, const FluidDrive &drive) override;
   void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) override;
   void finish_step(const std::vector<ObjectPoints> &objects) override;
 
@@ -70,6 +70,8 @@ private:
   void open_accounts(const ObjectPoints &object, double absorption_rate);
   void add_marker(const ObjectPoints &object, int m, double absorption_rate);
   void share_carried_force(const ObjectPoints &object);
+  void share_owed_impulse(const ObjectPoints &object);
+  void require_finite_flow() const;
   void return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity);
   double absorption_rate(const ObjectPoints &object) const;
   void remember_motion(const ObjectPoints &object, const ObjectMotion &motion);
@@ -98,7 +100,6 @@ private:
   Courier to_slabs_, to_homes_;
   FluidOptions options_;
   double dt_ = 0.0, dt_before_ = 0.0;
-  int dem_steps_ = 0;
   VecD body_force_{};
 
   // On the rank that has the point when the step begins
@@ -119,8 +120,8 @@ private:
   std::vector<double> spacing_;
   // This rank's part of the last whole step: given to the fluid, received by points, owed to them before less after, the sum of these, sum of |J|; slip;
   // largest divergence
-  VecD given_{}, received_{}, owed_balance_{}, balance_{}, last_body_force_{};
-  double last_dt_ = 0.0, exchanged_ = 0.0, marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, max_divergence_ = 0.0;
+  VecD given_{}, received_{}, given_late_{}, owed_balance_{}, balance_{}, last_body_force_{};
+  double last_dt_ = 0.0, exchanged_ = 0.0, marker_gap_ = 0.0, last_marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, max_divergence_ = 0.0;
   double seconds_in_fluid_ = 0.0, seconds_in_coupling_ = 0.0;
 };
 

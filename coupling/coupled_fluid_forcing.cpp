@@ -50,12 +50,14 @@ template <int Dim> void CoupledFluid<Dim>::find_remaining_slip()
     for (int d = 0; d < Dim; ++d) slip_[l][d] = wanted_[l][d] - u_after_[l][d];
 }
 
-/// The points have moved: they receive this with the law of the next step. Until then the balance counts it as received.
+/// The points have moved: their object receives this with the law of the next step. Until then the balance counts it as received. It is not carried: what the
+/// next step still lacks it finds anew.
 template <int Dim> void CoupledFluid<Dim>::owe(const std::vector<VecD> &extra)
 {
   Stopwatch watch(seconds_in_coupling_);
   for (const VecD &impulse : extra)
-    for (int d = 0; d < Dim; ++d) owed_balance_[d] -= impulse[d];
+    for (int d = 0; d < Dim; ++d) given_late_[d] += impulse[d];
+  for (int d = 0; d < Dim; ++d) owed_balance_[d] -= given_late_[d];
   to_slabs_.reply(extra, extra_back_);
   owed_.clear();
   for (const Report &report : arrived_reports_) {
@@ -67,11 +69,7 @@ template <int Dim> void CoupledFluid<Dim>::owe(const std::vector<VecD> &extra)
   }
   to_homes_.reply(owed_, owed_here_);
   for (std::size_t n = 0; n < reporting_.size(); ++n)
-    for (int d = 0; d < Dim; ++d) {
-      double *carried = points_.carried[reporting_[n]];
-      carried[FluidCarried::FORCE_X + d] += owed_here_[n][d] / dt_;
-      carried[FluidCarried::OWED_X + d] = owed_here_[n][d];
-    }
+    for (int d = 0; d < Dim; ++d) points_.carried[reporting_[n]][FluidCarried::OWED_X + d] = owed_here_[n][d];
 }
 
 template class CoupledFluid<2>;

@@ -27,6 +27,7 @@ template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &o
   return_inner_fluid(object, motion, gravity);
   ring_.place(object, points_, markers_per_point(object), options_.retraction.value_or(markers_->retraction()) * flow_.grid().h);
   share_carried_force(object);
+  share_owed_impulse(object);
   open_accounts(object, object.absorbs ? absorption_rate(object) : 0.0);
   remember_motion(object, motion);
 }
@@ -48,11 +49,43 @@ template <int Dim> void CoupledFluid<Dim>::share_carried_force(const ObjectPoint
   for (int m = 0; m < object.n_ring * ring_.per_point(); ++m) {
     const auto &marker = ring_.marker(m);
     for (int d = 0; d < Dim; ++d) {
-      const double *carried = points_.carried[object.ring[marker.point]];
-      const double force = (carried[FluidCarried::FORCE_X + d] + carried[FluidCarried::OWED_X + d] / dt_) / ring_.per_point();
+      const double force = points_.carried[object.ring[marker.point]][FluidCarried::FORCE_X + d] / ring_.per_point();
       felt_[marker.point][d] += marker.point_weight() * force;
       felt_[marker.partner][d] += marker.partner_weight() * force;
       if (hub) hub[FluidLaw::A_X + d] -= marker.share * force;
+    }
+  }
+}
+
+/// What the object is owed as a whole, an impulse and a turning one, as the change of velocity of a rigid body. Point by point it may alternate where markers are
+/// close: the fluid does not feel that, but light points would.
+template <int Dim> void CoupledFluid<Dim>::share_owed_impulse(const ObjectPoints &object)
+{
+  if (options_.forcing == ForcingScheme::direct) return;
+  double mass = 0.0, inertia = 0.0, turn = 0.0;
+  VecD centre{}, impulse{};
+  const auto point = [&](int k) { return k < 0 ? object.hub : object.ring[k]; };
+  for (int k = -1; k < object.n_ring; ++k) {
+    mass += points_.mass[point(k)];
+    for (int d = 0; d < Dim; ++d) centre[d] += points_.mass[point(k)] * points_.x[point(k)][d];
+  }
+  for (double &c : centre) c /= mass;
+  for (int k = -1; k < object.n_ring; ++k) {
+    const double *x = points_.x[point(k)], rx = x[0] - centre[0], ry = x[1] - centre[1];
+    inertia += points_.mass[point(k)] * (rx * rx + ry * ry);
+    if (k < 0) continue;
+    const double *owed = points_.carried[point(k)] + FluidCarried::OWED_X;
+    for (int d = 0; d < Dim; ++d) impulse[d] += owed[d];
+    turn += rx * owed[1] - ry * owed[0];
+  }
+  const double spin = turn / inertia;
+  for (int k = -1; k < object.n_ring; ++k) {
+    const double *x = points_.x[point(k)], share = points_.mass[point(k)] / dt_;
+    const VecD force{share * (impulse[0] / mass - spin * (x[1] - centre[1])), share * (impulse[1] / mass + spin * (x[0] - centre[0]))};
+    const int own = points_.own_index(point(k));
+    for (int d = 0; d < Dim; ++d) {
+      if (k >= 0) felt_[k][d] += force[d];
+      else if (own >= 0) points_.law[own][FluidLaw::A_X + d] -= force[d];
     }
   }
 }
@@ -63,10 +96,7 @@ template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &obj
     const int i = points_.own_index(object.ring[k]);
     if (i < 0) continue;
     Account account{i, static_cast<int>(leaving_.size()), ring_.per_point(), {}, felt_[k]};
-    for (int d = 0; d < Dim; ++d) {
-      account.carried[d] = points_.carried[i][FluidCarried::FORCE_X + d];
-      owed_balance_[d] += points_.carried[i][FluidCarried::OWED_X + d];
-    }
+    for (int d = 0; d < Dim; ++d) account.carried[d] = points_.carried[i][FluidCarried::FORCE_X + d];
     accounts_.push_back(account);
     for (int m = k * ring_.per_point(); m < (k + 1) * ring_.per_point(); ++m) add_marker(object, m, absorption_rate);
   }
@@ -81,12 +111,14 @@ template <int Dim> void CoupledFluid<Dim>::add_marker(const ObjectPoints &object
   Arrival arrival{marker.x, {}, ring_.spacing(m)};
   VecD offset;
   for (int d = 0; d < Dim; ++d) {
+    // The run ends soon, with an error, when it is not.
+    if (!std::isfinite(arrival.x[d])) arrival.x[d] = flow_.grid().origin[d];
     arrival.carried_impulse[d] = points_.carried[i][FluidCarried::FORCE_X + d] * dt_ / ring_.per_point();
     offset[d] = marker.u[d] - points_.v[i][d] - absorption_rate * (marker.x[d] - ring_.centroid()[d]);
   }
   leaving_.push_back(arrival);
   offset_.push_back(offset);
-  to_.push_back(slab_of(marker.x));
+  to_.push_back(slab_of(arrival.x));
 }
 
 template <int Dim> int CoupledFluid<Dim>::slab_of(const VecD &x) const

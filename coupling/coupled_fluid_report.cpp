@@ -2,6 +2,8 @@
 #include "coupling/coupled_fluid.h"
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "coupling/stopwatch.h"
 
@@ -44,6 +46,16 @@ template <int Dim> void CoupledFluid<Dim>::measure_slip()
   max_divergence_ = flow_.largest_divergence_here();
 }
 
+/// Ends the run on all ranks alike before a flow that has blown up is taken for one that stands still.
+template <int Dim> void CoupledFluid<Dim>::require_finite_flow() const
+{
+  int finite = std::isfinite(max_divergence_);
+  MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, flow_.grid().comm);
+  if (!finite)
+    throw std::runtime_error("the fluid's velocity must stay finite, but it is not after a fluid step of length " + std::to_string(last_dt_) +
+                             ": use a smaller 'timestep' or 'every', 'cfl 0.5', or 'advection bounded' where the grid is too coarse for the flow");
+}
+
 template <int Dim> FluidReport CoupledFluid<Dim>::report()
 {
   FluidReport report;
@@ -56,7 +68,7 @@ template <int Dim> FluidReport CoupledFluid<Dim>::report()
     report.driving_force[d] = options_.density * last_body_force_[d];
   }
 
-  double sums[3 + 2 * Dim] = {slip_sum_, slip_count_, exchanged_}, largest[3] = {slip_max_, marker_gap_, max_divergence_};
+  double sums[3 + 2 * Dim] = {slip_sum_, slip_count_, exchanged_}, largest[3] = {slip_max_, last_marker_gap_, max_divergence_};
   for (int d = 0; d < Dim; ++d) {
     sums[3 + d] = balance_[d];
     sums[3 + Dim + d] = received_[d];

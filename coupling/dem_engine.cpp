@@ -21,7 +21,8 @@ void DemEngine::refresh()
   x = static_cast<double **>(lammps_extract_atom(lammps_, "x"));
   v = static_cast<double **>(lammps_extract_atom(lammps_, "v"));
   mass = static_cast<double *>(lammps_extract_atom(lammps_, "rmass"));
-  object_point = per_atom(LAMMPS_NS::FixObjects::PROPERTY);
+  objects_ = LAMMPS_NS::find_objects(static_cast<LAMMPS_NS::LAMMPS *>(lammps_));
+  object_point = objects_ ? per_atom(LAMMPS_NS::FixObjects::PROPERTY) : nullptr;
   law = per_atom(FluidLaw::NAME);
   impulse = per_atom(FluidImpulse::NAME);
   carried = per_atom(FluidCarried::NAME);
@@ -30,7 +31,7 @@ void DemEngine::refresh()
 
 int DemEngine::own_index(int i) const
 {
-  return i < n_own_ ? i : LAMMPS_NS::find_objects(static_cast<LAMMPS_NS::LAMMPS *>(lammps_))->own_index(i);
+  return i < n_own_ ? i : objects_->own_index(i);
 }
 
 double **DemEngine::per_atom(const char *id) const

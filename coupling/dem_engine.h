@@ -6,6 +6,10 @@
 #include <array>
 #include <string>
 
+namespace LAMMPS_NS {
+class FixObjects;
+}
+
 namespace swellflow {
 
 /// Pointers into LIGGGHTS' own memory: it moves when atoms migrate, so `refresh` before each use.
@@ -26,7 +30,7 @@ public:
 
   // Own points and ghosts, but for the last three: own points only.
   double **x = nullptr, **v = nullptr, *mass = nullptr;
-  double **object_point = nullptr;   ///< columns: FixObjects::Column
+  double **object_point = nullptr;   ///< columns: FixObjects::Column; null in a scene without objects
   double **carried = nullptr;        ///< columns: FluidCarried
   double **law = nullptr, **impulse = nullptr, **state = nullptr;  ///< columns: FluidLaw, FluidImpulse, FluidState
 
@@ -35,6 +39,7 @@ private:
   std::array<double, 3> corner(const char *x, const char *y, const char *z) const;
 
   void *lammps_;
+  const LAMMPS_NS::FixObjects *objects_ = nullptr;
   int n_own_ = 0;
 };
 

@@ -8,6 +8,9 @@ namespace swellflow {
 
 namespace {
 
+/// Not a number counts as infinite, so that no maximum passes over it.
+double largest_of(double largest, double value) { return value <= largest ? largest : std::isnan(value) ? HUGE_VAL : value; }
+
 double largest_over_ranks(double value, MPI_Comm comm)
 {
   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, comm);
@@ -29,7 +32,7 @@ template <int Dim> double FlowSolver<Dim>::largest_divergence_here() const
   each_cell([&](std::ptrdiff_t cell) {
     double divergence = 0.0;
     for (int d = 0; d < Dim; ++d) divergence += face_velocity_[d][cell + layout_.stride(d)] - face_velocity_[d][cell];
-    largest = std::max(largest, std::abs(divergence));
+    largest = largest_of(largest, std::abs(divergence));
   });
   return largest / grid_.h;
 }
@@ -42,7 +45,7 @@ template <int Dim> double FlowSolver<Dim>::max_speed_sum() const
   each_cell([&](std::ptrdiff_t cell) {
     double sum = 0.0;
     for (int c = 0; c < Dim; ++c) sum += std::abs(u_[c][cell]);
-    largest = std::max(largest, sum);
+    largest = largest_of(largest, sum);
   });
   return largest_over_ranks(largest, grid_.comm);
 }

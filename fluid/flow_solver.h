@@ -108,7 +108,7 @@ private:
   JointSolve<Dim, Dim> solve_viscous_;
   JointSolve<Dim, 1> solve_poisson_;
   Vec<Dim> body_force_{};
-  double dt_ = 0.0, dt_before_ = 0.0, dt_factored_ = 0.0, alpha_ = 1.0;
+  double dt_ = 0.0, dt_before_ = 0.0, dt_factored_ = -1.0, alpha_ = 1.0;
   PhaseClock clock_;
 };
 

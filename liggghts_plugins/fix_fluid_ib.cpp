@@ -44,6 +44,8 @@ void FixFluidIb::parse(int narg, char **arg)
   for (int d = 0; d < 2; d++) {
     box.periodic[d] = domain->periodicity[d] != 0;
     box.length[d] = domain->prd[d];
+    box_low_[d] = domain->boxlo[d];
+    box_high_[d] = domain->boxhi[d];
   }
   script_ = std::make_unique<FluidScript>(line, box);
 }
@@ -101,6 +103,7 @@ void FixFluidIb::make_partner()
   or_stop(lmp, [&] {
     FluidOptions options = script_->options();
     options.initial_velocity = script_->initial_velocity(lmp);
+    options.initial_side_velocity = script_->drive(lmp).side_velocity;
     try {
       partner_ = make_partner_(lmp, options);
     } catch (const std::invalid_argument &refusal) {
@@ -122,9 +125,11 @@ void FixFluidIb::setup(int vflag)
 
 void FixFluidIb::pre_initial_integrate()
 {
+  require_same_step();
   if (dem_step_ > 0) return;
   dt_ = update->dt;
-  dem_steps_ = partner_->choose_dem_steps(dt_);
+  dem_steps_ = 1;
+  dem_steps_ = partner_->choose_dem_steps(dt_, script_->options().cfl > 0.0 ? drive() : FluidDrive{});
   // Ghosts lag half a step behind in velocity. All ranks take part, those without ghosts too.
   comm->forward_comm();
   carried_->do_forward_comm();

@@ -51,6 +51,7 @@ class FixFluidIb : public Fix {
   const swellflow::FluidReport &report();
 
   std::unique_ptr<swellflow::FluidScript> script_;
+  double box_low_[2], box_high_[2];  // when the line was read
   swellflow::FluidPartnerFactory make_partner_;
   std::unique_ptr<swellflow::FluidPartner> partner_;
   FixPropertyAtom *carried_ = nullptr;

@@ -1,4 +1,5 @@
 // What must hold before a fluid can run, and what users are told when it does not.
+#include <cstring>
 #include <string>
 
 #include "atom.h"
@@ -15,6 +16,7 @@
 
 using namespace LAMMPS_NS;
 using namespace swellflow;
+using namespace std::string_literals;
 
 void FixFluidIb::require_settings()
 {
@@ -42,6 +44,10 @@ void FixFluidIb::require_sides()
     if (was_periodic != (domain->periodicity[d] != 0))
       error->fix_error(FLERR, this, ("the sides of the fluid are those that its line was read with, but " + boundary +
                                      " was changed since: put 'change_box' above 'fix fluid/ib'").c_str());
+    if (domain->boxlo[d] != box_low_[d] || domain->boxhi[d] != box_high_[d])
+      error->fix_error(FLERR, this, ("the fluid fills the box that its line was read with, but in "s + "xy"[d] + " that went from " + shown(box_low_[d]) + " to " +
+                                     shown(box_high_[d]) + " and now goes from " + shown(domain->boxlo[d]) + " to " + shown(domain->boxhi[d]) +
+                                     ": put 'change_box' above 'fix fluid/ib'").c_str());
   }
 }
 
@@ -53,17 +59,24 @@ void FixFluidIb::require_integrators()
 {
   const FixObjects *known = find_objects(lmp);
   if (!known) return;
-  int missing = 0;
+  int missing = 0, free = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!known->is_point(i)) continue;
     bool moved = false;
-    for (int k = 0; k < modify->nfix; k++)
-      moved = moved || (knows_fluid_law(*modify->fix[k]) && (atom->mask[i] & modify->fix[k]->groupbit));
+    for (int k = 0; k < modify->nfix; k++) {
+      const Fix *fix = modify->fix[k];
+      if (!knows_fluid_law(*fix) || !(atom->mask[i] & fix->groupbit)) continue;
+      moved = true;
+      if (strcmp(fix->style, "nve/cds") == 0) free = 1;
+    }
     if (!moved) missing = 1;
   }
-  int missing_anywhere = 0;
-  MPI_Allreduce(&missing, &missing_anywhere, 1, MPI_INT, MPI_MAX, world);
-  if (missing_anywhere)
+  int here[2] = {missing, free}, anywhere[2];
+  MPI_Allreduce(here, anywhere, 2, MPI_INT, MPI_MAX, world);
+  if (anywhere[1] && script_->options().forcing == ForcingScheme::implicit)
+    error->fix_error(FLERR, this, "implicit forcing needs objects that do not move freely, since these receive its force a step late and swing up, but some are moved by "
+                                  "nve/cds: use 'forcing multi 3', or 'held' or 'prescribed' for the objects");
+  if (anywhere[0])
     error->fix_error(FLERR, this, "each object in the fluid needs an integrator that knows the fluid's force, but some have none: "
                                   "add 'fix ID all nve/cds' in place of other nve styles, or 'held' or 'prescribed' for objects that do not move freely");
 }
@@ -74,6 +87,8 @@ void FixFluidIb::require_integrators()
 
 void FixFluidIb::require_same_step()
 {
+  if (update->dt <= 0.0)
+    error->fix_error(FLERR, this, ("the fluid needs a time step that is > 0, but it is " + shown(update->dt) + ": set one with 'timestep'").c_str());
   if (dem_step_ == 0 || update->dt == dt_) return;
   const bool chosen = script_->options().cfl > 0.0;
   const std::string remedy = chosen ? "with 'cfl', change it before the first run only" : "let the run before end with a multiple of 'every'";

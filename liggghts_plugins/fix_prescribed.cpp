@@ -195,10 +195,10 @@ void FixPrescribed::receive(int i, const double *arm, const double *law, double 
 const FixPrescribed::Values &FixPrescribed::values()
 {
   if (values_known_) return values_;
-  values_known_ = true;
   values_ = {0.0, 0.0, 0.0, motion_.vx, motion_.vy, motion_.spin};
   const FixFluidIb *fluid = find_fluid(lmp);
   if (!fluid || fluid->whole_steps() == 0 || last_.duration == 0.0) return values_;
+  values_known_ = true;
 
   double sums[5] = {last_.impulse[0], last_.impulse[1], last_.angular_impulse, 0.0, 0.0};
   if (objects_->current())

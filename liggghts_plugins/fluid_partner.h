@@ -52,6 +52,7 @@ struct FluidOptions {
   std::array<SideKind, 6> sides{};                    ///< by side
   std::array<bool, 3> controlled{};                   ///< periodic directions in which the mean velocity is held
   Triple initial_velocity{};                          ///< of all fluid, before the first step
+  std::array<Triple, 6> initial_side_velocity{};      ///< by side, then
   AdvectionScheme advection = AdvectionScheme::central;
   ForcingScheme forcing = ForcingScheme::direct;
   int forcing_loops = 1;                              ///< of ForcingScheme::multi
@@ -94,8 +95,8 @@ public:
   virtual ~FluidPartner() = default;
   /// Before a run: points that have been in no fluid step yet feel their buoyancy from the start. Collective.
   virtual void weigh(const std::vector<ObjectPoints> &objects, const Triple &gravity) = 0;
-  /// How many DEM steps of length dem_dt the coming fluid step should have: at least 1. Collective.
-  virtual int choose_dem_steps(double dem_dt) = 0;
+  /// How many DEM steps of length dem_dt the coming fluid step should have: at least 1. `drive`: as it is after one of them. Collective.
+  virtual int choose_dem_steps(double dem_dt, const FluidDrive &drive) = 0;
   /// Before the first of dem_steps DEM steps: the fluid is predicted and the points' drag law for these steps is set. Collective.
   virtual void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) = 0;
   /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Collective.

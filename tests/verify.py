@@ -39,9 +39,54 @@ def cavity_ranks():
     return subprocess.run([sys.executable, str(ROOT / "tests" / "ranks_agree.py"), str(FOLDER / "cavity_ranks")]).returncode
 
 
+def all_of(folder, runs):
+    """Runs cases with --check, each into a folder of its own within `folder`; every one of them runs, whatever became of those before."""
+    codes = [case(name, f"{folder}/{sub}", "--np", "2", *(word for key, value in variables.items() for word in ("-var", key, str(value))), "--check")
+             for name, sub, variables in runs]
+    return max(codes)
+
+
+def flow_cavity():
+    return all_of("cavity", [("lid_driven_cavity", f"re{re}_{cells}", {"re": re, "cells": cells})
+                             for re, cells in ((10, 128), (100, 128), (100, 256), (400, 256), (1000, 256))])
+
+
+def flow_channel():
+    return all_of("channel", [("channel", f"{flow}_{along}", {"flow": flow, "along": along})
+                              for flow in ("pressure", "force", "flow_rate", "inflow", "couette", "film") for along in "xy"])
+
+
+def flow_arrays():
+    return all_of("arrays", [("square_array", f"phi{phi}", {"phi": phi}) for phi in (0.05, 0.1, 0.3, 0.5)])
+
+
+def flow_stokes_channel():
+    return all_of("stokes_channel", [("stokes_channel", f"{setting}_{k}", {"setting": setting, "k": k})
+                                     for setting, k in (("inflow", 0.1), ("inflow", 0.25), ("inflow", 0.5), ("periodic", 0.25), ("moving", 0.25))])
+
+
+def flow_schaefer_turek():
+    return all_of("schaefer_turek", [("schaefer_turek", "cells80", {"cells": 80, "t_end": 20})])
+
+
+def flow_cylinder_steady():
+    return all_of("cylinder", [("cylinder", f"re{re}", {"re": re}) for re in (20, 40)])
+
+
+def flow_cylinder_shedding():
+    return all_of("cylinder", [("cylinder", "re100", {"re": 100, "cells": 32})])
+
+
 PARTS = {
     "cavity_stiff": (cavity_stiff, "the paper's cavity with k_s = 1000, to t = 110"),
     "cavity_soft": (cavity_soft, "the paper's cavity with k_s = 100, to t = 110"),
+    "flow_cavity": (flow_cavity, "lid-driven cavity, Re 10 to 1000, against published extrema"),
+    "flow_channel": (flow_channel, "Poiseuille and Couette, driven in every way, along x and along y"),
+    "flow_arrays": (flow_arrays, "creeping flow through square arrays of discs, with refinement and time steps"),
+    "flow_stokes_channel": (flow_stokes_channel, "creeping flow around a cylinder between walls"),
+    "flow_schaefer_turek": (flow_schaefer_turek, "benchmark 2D-1, 80 cells across the cylinder"),
+    "flow_cylinder_steady": (flow_cylinder_steady, "cylinder in a stream, Re 20 and 40"),
+    "flow_cylinder_shedding": (flow_cylinder_shedding, "cylinder in a stream, Re 100, 32 cells across it"),
     "cavity_ranks": (cavity_ranks, "200 fluid steps of the cavity agree on 1, 2 and 4 ranks"),
 }
 

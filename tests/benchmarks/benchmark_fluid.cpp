@@ -40,7 +40,8 @@ void dct_pair(benchmark::State &state)
 
 class Cavity {
 public:
-  explicit Cavity(int n) : grid({n, n}, {}, 1.0 / n, MPI_COMM_SELF), flow(grid, {1.0, 0.01}, lid()), dt(0.3 / n)
+  explicit Cavity(int n, MPI_Comm comm = MPI_COMM_SELF, Advection advection = Advection::central)
+      : grid({n, n}, {}, 1.0 / n, comm), flow(grid, {1.0, 0.01}, lid(), advection), dt(0.3 / n)
   {
     for (int s = 0; s < 3; ++s) step();
   }
@@ -67,6 +68,36 @@ void fluid_step(benchmark::State &state)
   const int n = static_cast<int>(state.range(0));
   Cavity cavity(n);
   for (auto _ : state) cavity.step();
+  per_item(state, "per_cell", 1.0 * n * n);
+}
+
+/// All ranks together: mpirun -np N benchmark_fluid --benchmark_filter=on_all_ranks. The number of steps is fixed, so that no rank waits for ever.
+void fluid_step_on_all_ranks(benchmark::State &state)
+{
+  const int n = static_cast<int>(state.range(0));
+  Cavity cavity(n, MPI_COMM_WORLD);
+  MPI_Barrier(MPI_COMM_WORLD);
+  for (auto _ : state) cavity.step();
+  per_item(state, "per_cell", 1.0 * n * n);
+}
+
+void fluid_step_bounded_advection(benchmark::State &state)
+{
+  const int n = static_cast<int>(state.range(0));
+  Cavity cavity(n, MPI_COMM_SELF, Advection::bounded);
+  for (auto _ : state) cavity.step();
+  per_item(state, "per_cell", 1.0 * n * n);
+}
+
+/// A new step length: the factors of the viscous solve.
+void new_factors(benchmark::State &state)
+{
+  const int n = static_cast<int>(state.range(0));
+  Cavity cavity(n);
+  const Ends walls{End::value, End::value};
+  DirectSolver<2> solver(cavity.grid, cavity.flow.layout(), {walls, walls});
+  double c = 0.01;
+  for (auto _ : state) solver.set_operator(1.0, c *= 1.0001);
   per_item(state, "per_cell", 1.0 * n * n);
 }
 
@@ -141,6 +172,9 @@ void markers_spread(benchmark::State &state)
 
 BENCHMARK(dct_pair)->RangeMultiplier(2)->Range(256, 2048)->Unit(benchmark::kMillisecond);
 BENCHMARK(fluid_step)->RangeMultiplier(2)->Range(256, 2048)->Unit(benchmark::kMillisecond);
+BENCHMARK(fluid_step_on_all_ranks)->Arg(1024)->Iterations(60)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(fluid_step_bounded_advection)->Arg(512)->Unit(benchmark::kMillisecond);
+BENCHMARK(new_factors)->Arg(512)->Unit(benchmark::kMillisecond);
 BENCHMARK(prediction)->Arg(512)->Unit(benchmark::kMillisecond);
 BENCHMARK(projection)->Arg(512)->Unit(benchmark::kMillisecond);
 BENCHMARK(helmholtz_solve)->Arg(512)->Unit(benchmark::kMillisecond);

@@ -25,7 +25,7 @@ public:
   FakeFluid(LAMMPS_NS::LAMMPS *lmp, FluidTalk &talk) : lmp_(lmp), talk_(talk) {}
 
   void weigh(const std::vector<swellflow::ObjectPoints> &, const swellflow::Triple &) override {}
-  int choose_dem_steps(double) override { return talk_.dem_steps[talk_.begun.size() % talk_.dem_steps.size()]; }
+  int choose_dem_steps(double, const swellflow::FluidDrive &) override { return talk_.dem_steps[talk_.begun.size() % talk_.dem_steps.size()]; }
   void begin_step(const std::vector<swellflow::ObjectPoints> &, const swellflow::FluidDrive &drive, int dem_steps) override
   {
     talk_.drives.push_back(drive);

@@ -131,7 +131,7 @@ class CommandLine(ProgramTest):
     def test_help_lists_our_styles_once(self):
         for ranks in (1, 2):
             result = self.run_program(None, "-help", ranks=ranks)  # stock liggghts, too, ends its help with exit code 1
-            for style in ("fluid/ib", "mass_spring", "nve/cds", "output/vtk", "swell", "create_objects"):
+            for style in ("fluid/ib", "held", "mass_spring", "nve/cds", "output/vtk", "prescribed", "swell", "create_objects"):
                 self.assertEqual(result.output.count(f"  {style}\n"), 1, style)
             self.assertIn("wall/gran", result.output)
 

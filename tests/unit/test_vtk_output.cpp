@@ -30,7 +30,7 @@ public:
   static Vec3 velocity(int i, int j) { return {0.1 * i, std::sin(j), 0.0}; }
 
   void weigh(const std::vector<ObjectPoints> &, const Triple &) override {}
-  int choose_dem_steps(double) override { return 1; }
+  int choose_dem_steps(double, const FluidDrive &) override { return 1; }
   void begin_step(const std::vector<ObjectPoints> &, const FluidDrive &, int) override {}
   void finish_step(const std::vector<ObjectPoints> &) override {}
   FluidReport report() override { return {}; }
