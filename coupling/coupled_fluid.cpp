@@ -4,24 +4,16 @@
 #include <utility>
 
 #include "coupling/stopwatch.h"
-
 #include "liggghts_plugins/fluid_columns.h"
 
 namespace swellflow {
 
 namespace {
 
-template <int Dim> Vec<Dim> first_of(const Triple &triple)
+template <int Dim, class T> std::array<T, Dim> first_of(const std::array<T, 3> &triple)
 {
-  Vec<Dim> result;
-  for (int d = 0; d < Dim; ++d) result[d] = triple[d];
-  return result;
-}
-
-template <int Dim> std::array<bool, Dim> controlled(const FluidOptions &options)
-{
-  std::array<bool, Dim> result;
-  for (int d = 0; d < Dim; ++d) result[d] = options.controlled[d];
+  std::array<T, Dim> result;
+  std::copy_n(triple.begin(), Dim, result.begin());
   return result;
 }
 
@@ -51,7 +43,8 @@ Boundary boundary_of(SideKind kind)
 template <int Dim>
 CoupledFluid<Dim>::CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const Boundaries<Dim> &boundaries)
     : flow_(grid, {options.density, options.kinematic_viscosity}, boundaries, advection_of(options)),
-      markers_(make_markers<Dim>(options.kernel, flow_.grid(), flow_.layout())), flow_rate_(controlled<Dim>(options)), points_(lammps), to_slabs_(grid.comm), to_homes_(grid.comm), options_(options)
+      markers_(make_markers<Dim>(options.kernel, flow_.grid(), flow_.layout())), flow_rate_(first_of<Dim>(options.controlled)), points_(lammps),
+      to_slabs_(grid.comm), to_homes_(grid.comm), options_(options)
 {
   if (options.forcing == ForcingScheme::implicit) marker_solver_ = std::make_unique<MarkerSolver<Dim>>(flow_.grid(), flow_.layout(), *markers_);
   flow_.start_with_velocity(first_of<Dim>(options.initial_velocity));
@@ -116,7 +109,7 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
   }
   last_dt_ = dt_;
   last_marker_gap_ = marker_gap_;
-  last_body_force_ = body_force_;
+  last_body_force_ = flow_.body_force();
   measure_slip();
   require_finite_flow();
 }
@@ -124,11 +117,9 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
 template <int Dim> void CoupledFluid<Dim>::drive(const FluidDrive &drive)
 {
   for (int side = 0; side < 2 * Dim; ++side) flow_.set_side_velocity(side, first_of<Dim>(drive.side_velocity[side]));
-  body_force_ = first_of<Dim>(drive.body_force);
-  if (flow_rate_.active()) flow_rate_.update(flow_.mean_velocity(), first_of<Dim>(drive.mean_velocity), dt_, body_force_);
-  for (int d = 0; d < Dim; ++d)
-    if (!flow_.grid().periodic[d]) body_force_[d] = 0.0;  // the pressure balances it
-  flow_.set_body_force(body_force_);
+  VecD body_force = first_of<Dim>(drive.body_force);
+  if (flow_rate_.active()) flow_rate_.update(flow_.mean_velocity(), first_of<Dim>(drive.mean_velocity), dt_, body_force);
+  flow_.set_body_force(body_force);
 }
 
 // ---- from the points to the slabs ------------------------------------------------------------------------------------------------------------

@@ -4,8 +4,8 @@
 #include "coupling/courier.h"
 #include "coupling/marker_ring.h"
 #include "coupling/object_motion.h"
-#include "fluid/flow_solver.h"
 #include "fluid/flow_rate.h"
+#include "fluid/flow_solver.h"
 #include "fluid/marker_solver.h"
 
 namespace swellflow {
@@ -100,7 +100,6 @@ private:
   Courier to_slabs_, to_homes_;
   FluidOptions options_;
   double dt_ = 0.0, dt_before_ = 0.0;
-  VecD body_force_{};
 
   // On the rank that has the point when the step begins
   std::vector<Account> accounts_;

@@ -72,14 +72,8 @@ template <int Dim> void FlowSolver<Dim>::predict_plane(int k)
       case Advection::bounded: predict_row<Advection::bounded>(k, r); break;
       case Advection::none: predict_row<Advection::none>(k, r); break;
     }
-    if (forcing_.touches_neighbourhood(k))
-      for (int c = 0; c < Dim; ++c) {
-        const std::ptrdiff_t o = layout_.row(k, r), s = layout_.stride(c);
-        const double *f = forcing_.faces(c) + o;
-        double *out = u_star_[c].data() + o;
-        for (int i = 0; i < layout_.row_length(); ++i) out[i] += 0.5 * (f[i] + f[i + s]);
-      }
   }
+  add_forcing_to_cells(k);
   // The known part of the ghosts, twice the velocity on the side, in the implicit half of viscosity.
   for (int c = 0; c < Dim; ++c) sides_.add_given(c, k, fluid_.kinematic_viscosity * dt_ / (grid_.h * grid_.h), u_star_[c]);
 }
@@ -133,7 +127,7 @@ template <int Dim> void FlowSolver<Dim>::interpolate_row(int d, std::ptrdiff_t o
   double *face = face_velocity_[d].data() + o;
 #pragma GCC ivdep
   for (int i = first; i < end; ++i) face[i] = 0.5 * (u[i] + u[i - s]) + pressure * (p[i + s] - p[i - 2 * s] - 3.0 * (p[i] - p[i - s]));
-  if (forcing_.touches_neighbourhood(static_cast<int>((o - layout_.row(0, 0)) / layout_.plane_stride()))) {
+  if (forcing_.touches_neighbourhood(plane_of(o))) {
     const double *f = forcing_.faces(d) + o;
     for (int i = first; i < end; ++i) face[i] += force * (2.0 * f[i] - f[i - s] - f[i + s]);
   }

@@ -55,21 +55,25 @@ template <int Dim> void FlowSolver<Dim>::start_with_velocity(const Vec<Dim> &vel
   start_from_velocity();
 }
 
+/// A cell receives the mean of its two faces.
+template <int Dim> void FlowSolver<Dim>::add_forcing_to_cells(int k)
+{
+  if (!forcing_.touches_neighbourhood(k)) return;
+  for (int r = 0; r < layout_.rows(); ++r)
+    for (int c = 0; c < Dim; ++c) {
+      const std::ptrdiff_t o = layout_.row(k, r), s = layout_.stride(c);
+      const double *f = forcing_.faces(c) + o;
+      double *u = u_star_[c].data() + o;
+      for (int i = 0; i < layout_.row_length(); ++i) u[i] += 0.5 * (f[i] + f[i + s]);
+    }
+}
+
 template <int Dim> void FlowSolver<Dim>::apply_forcing()
 {
   PhaseClock::Scope phase(clock_, PhaseClock::forcing);
-  for (int k = 0; k < layout_.planes(); ++k) {
-    if (!forcing_.touches_neighbourhood(k)) continue;
-    for (int r = 0; r < layout_.rows(); ++r)
-      for (int c = 0; c < Dim; ++c) {
-        const std::ptrdiff_t o = layout_.row(k, r), s = layout_.stride(c);
-        const double *f = forcing_.faces(c) + o;
-        double *u = u_star_[c].data() + o;
-        for (int i = 0; i < layout_.row_length(); ++i) u[i] += 0.5 * (f[i] + f[i + s]);
-      }
-  }
+  for (int k = 0; k < layout_.planes(); ++k) add_forcing_to_cells(k);
   each_face_row([&](int d, std::ptrdiff_t o, int first, int end) {
-    if (!forcing_.touches_neighbourhood(static_cast<int>((o - layout_.row(0, 0)) / layout_.plane_stride()))) return;
+    if (!forcing_.touches_neighbourhood(plane_of(o))) return;
     const double *f = forcing_.faces(d) + o;
     double *face = face_velocity_[d].data() + o;
     for (int i = first; i < end; ++i) face[i] += f[i];

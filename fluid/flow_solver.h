@@ -38,6 +38,8 @@ public:
   /// For the steps to come: the velocity of a wall or an inflow at the end of a step, the body force per mass during it.
   void set_side_velocity(int side, const Vec<Dim> &velocity) { sides_.set_velocity(side, velocity); }
   void set_body_force(const Vec<Dim> &g);
+  /// What of it is felt: 0 in directions that are not periodic.
+  const Vec<Dim> &body_force() const { return body_force_; }
 
   /// u~ and F~ from the last step, with the forcing as it stands taken as part of the right-hand side. Collective.
   void predict_velocity(double dt);
@@ -58,7 +60,6 @@ public:
   const Grid<Dim> &grid() const { return grid_; }
   const Layout<Dim> &layout() const { return layout_; }
   const FluidProperties &fluid() const { return fluid_; }
-  PhaseClock &clock() { return clock_; }
   const PhaseClock &clock() const { return clock_; }
 
   double largest_divergence_here() const;  ///< on this rank
@@ -88,6 +89,8 @@ private:
   template <class F> void each_face_row(F &&f) const;
   /// Whether there are cells on both sides of the faces below plane k.
   bool inner_faces(int k) const { return (k > 0 || !grid_.at_lower_end()) && (k < layout_.planes() || !grid_.at_upper_end()); }
+  int plane_of(std::ptrdiff_t offset) const { return static_cast<int>((offset - layout_.row(0, 0)) / layout_.plane_stride()); }
+  void add_forcing_to_cells(int k);
   void interpolate_row(int d, std::ptrdiff_t o, int first, int end);
   void correct_face_row(int d, std::ptrdiff_t o, int first, int end);
   void divergence_plane(int k);
