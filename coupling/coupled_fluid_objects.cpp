@@ -147,7 +147,7 @@ template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints 
   const double *point = points_.object_point[own];
   const double lambda = point[Topology::LAMBDA], area = ring_.outline_area();
   if (area <= 0.0) return 0.0;
-  const double missing = regular_polygon_area(object.n_ring, lambda * point[Topology::DIAMETER]) / area - 1.0;
+  const double missing = lambda * lambda * point[Topology::NATURAL_AREA] / area - 1.0;
   const double natural =
       (lambda - points_.state[own][FluidState::SWELLING]) / (lambda * dt_before_) + 0.5 * missing * made_up_per_step / dt_;
   return std::clamp(ring_.dilation_rate(), std::min(0.0, natural), std::max(0.0, natural));

@@ -13,6 +13,7 @@
 #include "error.h"
 #include "fix_objects.h"
 #include "modify.h"
+#include "objects/outline.h"
 #include "options.h"
 
 using namespace LAMMPS_NS;
@@ -201,9 +202,15 @@ void CreateObjects::describe_points(int first) const
     point[FixObjects::RING_POINTS] = disk.ring_points;
     point[FixObjects::INDEX] = index;
     point[FixObjects::DIAMETER] = disk.diameter;
+    point[FixObjects::NATURAL_AREA] = swellflow::regular_polygon_area(disk.ring_points, disk.diameter);
+    point[FixObjects::SPOKES] = 1.0;
     point[FixObjects::SPOKE_LENGTH] = index < 0 ? 0.0 : disk.spoke_length();
     point[FixObjects::RING_LENGTH] = index < 0 ? 0.0 : disk.ring_spring_length();
+    const Vector2 rest = index < 0 ? Vector2(Vector2::Zero()) : disk.ring_point(index);
+    point[FixObjects::REST_X] = rest.x();
+    point[FixObjects::REST_Y] = rest.y();
     point[FixObjects::CDS_RADIUS] = atom->radius[i];
+    point[FixObjects::HAS_CDS] = 1.0;
     point[FixObjects::MASS] = atom->rmass[i];
     point[FixObjects::LAMBDA] = 1.0;
   }

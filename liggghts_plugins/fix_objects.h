@@ -22,14 +22,23 @@ class FixObjects : public Fix {
   enum Column {
     RING_POINTS,       // N; 0 marks all other atoms
     INDEX,             // -1 hub, 0 .. N-1 ring, counter-clockwise
-    DIAMETER,          // natural diameter at creation
+    DIAMETER,          // natural diameter at creation: that of the disc of the same area
+    NATURAL_AREA,      // inside the polygon of the outline, at lambda = 1
+    SPOKES,            // 1: springs join ring and hub; 0: the hub only follows the ring's mean
     SPOKE_LENGTH,      // natural length of the spoke to the hub at lambda = 1, ring points only
     RING_LENGTH,       // natural length to the next ring point at lambda = 1, ring points only
+    REST_X,            // undeformed position about the centre of mass, at lambda = 1 and as the object was made
+    REST_Y,
+    OUTLINE_OFFSET,    // by which the outline lies beyond the ring point, away from the hub, at lambda = 1
     CDS_RADIUS,        // at lambda = 1
+    HAS_CDS,           // 0: the point takes part in no contact; its radius is a token
     MASS,              // at lambda = 1
     LAMBDA,            // natural swelling ratio
     START_DIAMETER,    // natural diameter when the present swelling law began; 0: none has
     START_TIME,        // that law's clock then
+    RATE_FACTOR,       // of the object's swelling law: its speed over that of the law
+    SIZE_FACTOR,       // its growth over that of the law
+    ROTATION,          // angle by which the object has turned since it was made, not wrapped
     N_COLUMNS
   };
   static constexpr const char *ID = "objects";

@@ -214,11 +214,12 @@ void FixSwell::add_object(const ObjectPoints &object, double *sums, double *extr
   }
   const double natural = point[FixObjects::LAMBDA] * point[FixObjects::DIAMETER];
   const swellflow::OutlineShape shape = swellflow::outline_shape(ring);
-  const double area_ratio = shape.area / swellflow::regular_polygon_area(object.n_ring, natural);
+  const double natural_area = point[FixObjects::NATURAL_AREA] * point[FixObjects::LAMBDA] * point[FixObjects::LAMBDA];
+  const double area_ratio = shape.area / natural_area;
   sums[COUNT] += 1.0;
   sums[NATURAL] += natural;
   sums[HUB_DISTANCE] += 2.0 * distance / object.n_ring;
-  sums[OF_AREA] += swellflow::diameter_of_area(object.n_ring, shape.area);
+  sums[OF_AREA] += swellflow::diameter_of_area(shape.area, point[FixObjects::NATURAL_AREA], point[FixObjects::DIAMETER]);
   sums[ASPECT_RATIO] += shape.aspect_ratio;
   sums[AREA] += shape.area;
   extremes[MINUS_AREA_RATIO] = std::max(extremes[MINUS_AREA_RATIO], -area_ratio);

@@ -44,10 +44,10 @@ inline double regular_polygon_area(int points, double diameter)
   return points * diameter * diameter / 8.0 * std::sin(2.0 * std::numbers::pi / points);
 }
 
-/// Diameter of the regular polygon of this area, so that an undeformed ring gives its own diameter.
-inline double diameter_of_area(int points, double area)
+/// Diameter that an object of this shape would have at this area, so that an undeformed one gives its own diameter.
+inline double diameter_of_area(double area, double natural_area, double natural_diameter)
 {
-  return std::sqrt(std::max(area, 0.0) / regular_polygon_area(points, 1.0));
+  return natural_diameter * std::sqrt(std::max(area, 0.0) / natural_area);
 }
 
 }  // namespace swellflow

@@ -83,7 +83,7 @@ TEST(Outline, OfACircleGivesItsDiameterAndNoElongation)
 {
   for (int N : {3, 4, 20, 70}) {
     const OutlineShape shape = outline_shape(ellipse(N, 0.09, 0.09, 0.3, {0.01, -0.02}));
-    EXPECT_NEAR(diameter_of_area(N, shape.area), 0.18, 1e-12);
+    EXPECT_NEAR(diameter_of_area(shape.area, regular_polygon_area(N, 1.0), 1.0), 0.18, 1e-12);
     EXPECT_NEAR(shape.aspect_ratio, 1.0, 1e-6);
   }
 }
