@@ -32,11 +32,22 @@ template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &o
   remember_motion(object, motion);
 }
 
-/// So many that their natural distance is no more than the marker gap that was asked for.
+/// So many that their natural distance is no more than the marker gap that was asked for, where the outline's points are farthest apart.
 template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &object) const
 {
-  const double *point = points_.object_point[object.ring[0]];
-  const double natural = point[Topology::RING_LENGTH] * points_.object_point[object.hub][Topology::LAMBDA];
+  const double *hub = points_.object_point[object.hub];
+  const auto vertex = [&](int k) {
+    const double *point = points_.object_point[object.ring[k]];
+    return outline_point({point[Topology::REST_X] - hub[Topology::REST_X], point[Topology::REST_Y] - hub[Topology::REST_Y]}, point[Topology::OUTLINE_OFFSET]);
+  };
+  double longest = 0.0;
+  Vector2 before = vertex(object.n_ring - 1);
+  for (int k = 0; k < object.n_ring; ++k) {
+    const Vector2 here = vertex(k);
+    longest = std::max(longest, (here - before).norm());
+    before = here;
+  }
+  const double natural = longest * hub[Topology::LAMBDA];
   return std::max(1, static_cast<int>(std::ceil(natural / (options_.marker_gap * flow_.grid().h) - 1e-9)));
 }
 
@@ -64,13 +75,14 @@ template <int Dim> void CoupledFluid<Dim>::share_owed_impulse(const ObjectPoints
   if (options_.forcing == ForcingScheme::direct) return;
   double mass = 0.0, inertia = 0.0, turn = 0.0;
   VecD centre{}, impulse{};
+  const int first = points_.object_point[object.hub][Topology::SPOKES] == 0.0 ? 0 : -1;  // a hub that only follows takes nothing
   const auto point = [&](int k) { return k < 0 ? object.hub : object.ring[k]; };
-  for (int k = -1; k < object.n_ring; ++k) {
+  for (int k = first; k < object.n_ring; ++k) {
     mass += points_.mass[point(k)];
     for (int d = 0; d < Dim; ++d) centre[d] += points_.mass[point(k)] * points_.x[point(k)][d];
   }
   for (double &c : centre) c /= mass;
-  for (int k = -1; k < object.n_ring; ++k) {
+  for (int k = first; k < object.n_ring; ++k) {
     const double *x = points_.x[point(k)], rx = x[0] - centre[0], ry = x[1] - centre[1];
     inertia += points_.mass[point(k)] * (rx * rx + ry * ry);
     if (k < 0) continue;
@@ -79,7 +91,7 @@ template <int Dim> void CoupledFluid<Dim>::share_owed_impulse(const ObjectPoints
     turn += rx * owed[1] - ry * owed[0];
   }
   const double spin = turn / inertia;
-  for (int k = -1; k < object.n_ring; ++k) {
+  for (int k = first; k < object.n_ring; ++k) {
     const double *x = points_.x[point(k)], share = points_.mass[point(k)] / dt_;
     const VecD force{share * (impulse[0] / mass - spin * (x[1] - centre[1])), share * (impulse[1] / mass + spin * (x[0] - centre[0]))};
     const int own = points_.own_index(point(k));

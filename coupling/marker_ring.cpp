@@ -3,10 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "liggghts_plugins/fix_objects.h"
 #include "liggghts_plugins/objects/outline.h"
 
 namespace swellflow {
 
+using Column = LAMMPS_NS::FixObjects::Column;
+
+/// outline_point() is from_hub * (1 + excess).
+double MarkerRing::excess(const ObjectPoints &object, const DemEngine &points, int ring_point)
+{
+  const int i = object.ring[ring_point];
+  const double offset = points.object_point[i][Column::LAMBDA] * points.object_point[i][Column::OUTLINE_OFFSET];
+  if (offset == 0.0) return 0.0;
+  const double distance = std::hypot(points.x[i][0] - points.x[object.hub][0], points.x[i][1] - points.x[object.hub][1]);
+  return distance > 0.0 ? offset / distance : 0.0;
+}
+
+/// A marker's place on the side of the outline between the vertices of two points is a sum of shares of point, partner and hub; so is its place after retraction.
 void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int per_point, double retraction)
 {
   per_point_ = per_point;
@@ -14,19 +28,23 @@ void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int 
   from_hub_.resize(markers_.size());
   outline_.resize(markers_.size());
   const double *x_hub = points.x[object.hub], *u_hub = points.v[object.hub];
+  if (points.object_point[object.hub][Column::SPOKES] == 0.0) retraction = 0.0;
   for (int m = 0; m < size(); ++m) {
     Marker &marker = markers_[m];
     marker.point = m / per_point;
     const double t = (m % per_point + 0.5) / per_point - 0.5;
     marker.partner = (marker.point + (t < 0.0 ? object.n_ring - 1 : 1)) % object.n_ring;
-    marker.along = std::abs(t);
+    const double along = std::abs(t);
     const int i = object.ring[marker.point], j = object.ring[marker.partner];
+    const double excess_i = (1.0 - along) * excess(object, points, marker.point), excess_j = along * excess(object, points, marker.partner);
+    const double whole = 1.0 + (excess_i + excess_j);
     for (int d = 0; d < 2; ++d)
-      outline_[m][d] = (1.0 - marker.along) * points.x[i][d] + marker.along * points.x[j][d] - x_hub[d];
-    const double distance = outline_[m].norm();
-    marker.share = distance > 0.0 ? std::min(0.5, retraction / distance) : 0.0;
+      outline_[m][d] = (1.0 - along + excess_i) * points.x[i][d] + (along + excess_j) * points.x[j][d] - whole * x_hub[d];
+    const double distance = outline_[m].norm(), pull = distance > 0.0 ? std::min(0.5, retraction / distance) : 0.0;
+    marker.along = (along + excess_j) / whole;
+    marker.share = pull - (1.0 - pull) * (excess_i + excess_j);
     for (int d = 0; d < 2; ++d) {
-      from_hub_[m][d] = (1.0 - marker.share) * outline_[m][d];
+      from_hub_[m][d] = (1.0 - pull) * outline_[m][d];
       marker.x[d] = x_hub[d] + from_hub_[m][d];
       marker.u[d] = marker.point_weight() * points.v[i][d] + marker.partner_weight() * points.v[j][d] + marker.share * u_hub[d];
     }

@@ -1,4 +1,4 @@
-// The markers of one object: a closed polygon, a little inside the ring of points, and as fine as the fluid's cells ask for.
+// The markers of one object: a closed polygon, a little inside its outline, and as fine as the fluid's cells ask for.
 #pragma once
 
 #include <vector>
@@ -6,7 +6,7 @@
 #include "coupling/dem_engine.h"
 #include "fluid/grid.h"
 #include "liggghts_plugins/fluid_partner.h"
-#include "liggghts_plugins/objects/disk.h"
+#include "liggghts_plugins/objects/vector2.h"
 
 namespace swellflow {
 
@@ -16,14 +16,15 @@ class MarkerRing {
 public:
   struct Marker {
     int point, partner;      ///< ring points, 0 … n_ring - 1
-    double along;            ///< share of the partner, in [0, 1/2)
-    double share;            ///< of the hub, in [0, 1/2]
+    double along;            ///< share of the partner in what is not the hub's
+    double share;            ///< of the hub, at most 1/2; < 0 where the outline, and the marker with it, lies beyond the points
     Vec<2> x, u;
     double point_weight() const { return (1.0 - share) * (1.0 - along); }
     double partner_weight() const { return (1.0 - share) * along; }
   };
 
-  /// Markers lie `retraction` [length] from the outline towards the hub, but at most half the way. All points, ghosts too, need current positions and velocities.
+  /// Markers lie `retraction` [length] from the outline towards the hub, but at most half the way; those of an object without spokes lie on its outline. All points,
+  /// ghosts too, need current positions and velocities.
   void place(const ObjectPoints &object, const DemEngine &points, int per_point, double retraction);
 
   /// The markers of ring point k are those at k * per_point … (k + 1) * per_point - 1.
@@ -32,12 +33,14 @@ public:
   double gap(int m) const;                            ///< distance to the next marker
   double spacing(int m) const { return 0.5 * (gap(m) + gap(before(m))); }
   const Vec<2> &centroid() const { return centroid_; }   ///< of the area inside the markers
-  double outline_area() const { return outline_area_; }  ///< inside the ring points
+  double outline_area() const { return outline_area_; }  ///< inside the outline
 
   /// (dA/dt) / (2A) of the area A inside the markers: sum of u . b / (2A), b being the outward normal times the spacing.
   double dilation_rate() const;
 
 private:
+  /// By how much more the outline is away from the hub than the ring point.
+  static double excess(const ObjectPoints &object, const DemEngine &points, int ring_point);
   int size() const { return static_cast<int>(markers_.size()); }
   int before(int m) const { return m > 0 ? m - 1 : size() - 1; }
   int after(int m) const { return m + 1 < size() ? m + 1 : 0; }

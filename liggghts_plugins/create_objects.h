@@ -22,10 +22,10 @@ class CreateObjects : protected Pointers {
   };
 
   void require_settings() const;
-  std::string whole_file(const std::string &name) const;
   void check_place(const swellflow::NewObject &object) const;
   void check_overlap() const;
-  std::vector<swellflow::Circle> existing_circles() const;
+  void warn_of_contacts(const std::vector<swellflow::Footprint> &footprints) const;
+  std::vector<swellflow::Footprint> existing_footprints() const;
   swellflow::PlaneBox box() const;
 
   void create();

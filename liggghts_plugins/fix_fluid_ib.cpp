@@ -1,5 +1,6 @@
 #include "fix_fluid_ib.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -7,12 +8,12 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_gravity.h"
 #include "fix_objects.h"
 #include "fix_property_atom.h"
 #include "fix_swell.h"
 #include "fluid_columns.h"
 #include "force.h"
+#include "gravity.h"
 #include "modify.h"
 #include "options.h"
 #include "update.h"
@@ -117,7 +118,7 @@ void FixFluidIb::setup(int vflag)
   const FixObjects *known = find_objects(lmp);
   if (known) known->require_whole_objects(*this);
   require_same_step();
-  partner_->weigh(objects(), gravity());
+  partner_->weigh(objects(), total_gravity(lmp));
   post_force(vflag);
 }
 
@@ -140,10 +141,17 @@ void FixFluidIb::post_force(int)
 {
   const int found = modify->find_fix(FluidState::NAME);
   double **state = static_cast<FixPropertyAtom *>(modify->fix[found])->array_atom;
-  for (int i = 0; i < atom->nlocal; i++) {
-    atom->f[i][0] += state[i][FluidState::BODY_FORCE_X];
-    atom->f[i][1] += state[i][FluidState::BODY_FORCE_Y];
-  }
+  given_.resize(2 * atom->nlocal);
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 2; d++) {
+      given_[2 * i + d] = state[i][FluidState::BODY_FORCE_X + d];
+      atom->f[i][d] += given_[2 * i + d];
+    }
+}
+
+void FixFluidIb::add_given(double *own_xy) const
+{
+  for (std::size_t k = 0; k < std::min<std::size_t>(given_.size(), 2 * atom->nlocal); k++) own_xy[k] += given_[k];
 }
 
 void FixFluidIb::end_of_step()
@@ -175,7 +183,7 @@ FluidDrive FixFluidIb::drive()
     with_variables_at(lmp, end, end + 1, evaluate);
   else
     evaluate();
-  drive.gravity = gravity();
+  drive.gravity = total_gravity(lmp);
   return drive;
 }
 
@@ -192,19 +200,6 @@ const std::vector<ObjectPoints> &FixFluidIb::objects()
       if (atom->mask[object.hub] & swell->groupbit) object.absorbs = true;
   }
   return objects_;
-}
-
-Triple FixFluidIb::gravity() const
-{
-  Triple sum{};
-  for (int k = 0; k < modify->nfix; k++) {
-    auto *fix = dynamic_cast<FixGravity *>(modify->fix[k]);
-    if (!fix) continue;
-    Triple g{};
-    fix->get_gravity(g.data());
-    for (int d = 0; d < 3; d++) sum[d] += g[d];
-  }
-  return sum;
 }
 
 /* ---------------------------------------------------------------------- */

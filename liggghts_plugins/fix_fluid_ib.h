@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "fix.h"
 #include "fluid_partner.h"
@@ -35,6 +36,8 @@ class FixFluidIb : public Fix {
   bool first_dem_step() const { return dem_step_ == 0; }
   bool last_dem_step() const { return dem_step_ + 1 == dem_steps_; }
   bigint whole_steps() const { return whole_steps_; }
+  /// Adds, two values an own atom, what this fix has put into atom->f in this step.
+  void add_given(double *own_xy) const;
 
  private:
   void parse(int narg, char **arg);
@@ -47,7 +50,6 @@ class FixFluidIb : public Fix {
   FixPropertyAtom *make_property(const char *name, int columns, bool on_ghosts);
   const std::vector<swellflow::ObjectPoints> &objects();
   swellflow::FluidDrive drive();
-  swellflow::Triple gravity() const;
   const swellflow::FluidReport &report();
 
   std::unique_ptr<swellflow::FluidScript> script_;
@@ -56,6 +58,7 @@ class FixFluidIb : public Fix {
   std::unique_ptr<swellflow::FluidPartner> partner_;
   FixPropertyAtom *carried_ = nullptr;
   std::vector<swellflow::ObjectPoints> objects_;
+  std::vector<double> given_;  // to atom->f in this step, two values an own atom
   PhaseLine phases_;
   double dt_ = 0.0;     // DEM step of the fluid step under way
   int dem_steps_ = 1;   // in the fluid step under way

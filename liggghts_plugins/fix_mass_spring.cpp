@@ -1,15 +1,15 @@
 #include "fix_mass_spring.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
 #include "fix_objects.h"
 #include "fix_property_atom.h"
+#include "integrators.h"
 #include "modify.h"
+#include "objects/csv_table.h"
 #include "options.h"
+#include "text_file.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -27,15 +27,10 @@ Vector2 plane(const double *x) { return {x[0], x[1]}; }
 /* ---------------------------------------------------------------------- */
 
 FixMassSpring::FixMassSpring(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), restitution_(1.0), objects_(nullptr), dashpot_(nullptr), dashpot_step_(-1), totals_step_(-1)
+    Fix(lmp, narg, arg), restitution_(1.0), objects_(nullptr), dashpot_(nullptr), dashpot_step_(-1), solved_groups_(0), explicit_groups_(0),
+    totals_step_(-1)
 {
-  swellflow::or_stop(lmp, [&] {
-    swellflow::Arguments line(std::string("fix ") + id + " mass_spring", narg - 3, arg + 3);
-    swellflow::Options options(line.place());
-    options.number("stiffness", law_.stiffness, Range::positive(), "force per length", "stiffness of every spring").required();
-    options.number("restitution", restitution_, Range::above_to(0.0, 1.0), "", "speed after over speed before, for a bonded pair");
-    options.parse(line);
-  });
+  swellflow::or_stop(lmp, [&] { parse(narg, arg); });
   law_.damping = swellflow::damping_ratio(restitution_);
   restart_global = 1;
   scalar_flag = vector_flag = 1;
@@ -43,6 +38,46 @@ FixMassSpring::FixMassSpring(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   extscalar = 1;
   extvector = 0;
+}
+
+void FixMassSpring::parse(int narg, char **arg)
+{
+  swellflow::Arguments line(std::string("fix ") + id + " mass_spring", narg - 3, arg + 3);
+  swellflow::Options options(line.place());
+  int lengths = 0;
+  options.number("stiffness", law_.stiffness, Range::positive(), "force per length", "stiffness of every spring");
+  options.number("modulus", law_.modulus, Range::positive(), "force", "tension over strain: the stiffness of a spring is modulus / natural length");
+  options.number("restitution", restitution_, Range::above_to(0.0, 1.0), "", "speed after over speed before, for a bonded pair");
+  options.choice("lengths", lengths, {"natural", "zero"}, "natural lengths: those at creation times the swelling ratio, or none");
+  options.custom("stiffening", [this](swellflow::Arguments &rest) { read_stiffening(rest); },
+                 "power N or table FILE: stiffness over that of the unswollen object as a function of the swelling ratio");
+  options.parse(line);
+  if (options.given("stiffness") == options.given("modulus"))
+    line.fail("springs want one of the keywords 'stiffness' and 'modulus', but got " +
+              std::string(options.given("modulus") ? "both: leave one out" : "neither: add one"));
+  law_.zero_lengths = lengths == 1;
+}
+
+void FixMassSpring::read_stiffening(swellflow::Arguments &line)
+{
+  if (line.choice("stiffening", {"power", "table"}) == 0) {
+    law_.stiffening.power = line.number("stiffening power");
+    return;
+  }
+  const std::string file = line.word("stiffening table");
+  const swellflow::CsvTable table(file, text_of_file(lmp, line.place(), file), {"ratio", "factor"});
+  const auto fail = [&](const swellflow::CsvTable::Row &row, const std::string &message) { throw swellflow::OptionError(table.place(row) + ": " + message); };
+  for (const char *column : {"ratio", "factor"})
+    if (!table.has(column)) line.fail("the table of 'stiffening' must have the columns ratio and factor, but '" + file + "' lacks '" + column + "': add it");
+  auto &rows = law_.stiffening.table;
+  for (const auto &row : table.rows()) {
+    const double ratio = *table.value(row, "ratio"), factor = *table.value(row, "factor");
+    if (!Range::positive().holds(factor)) fail(row, "'factor' must be a number > 0, but is '" + swellflow::shown(factor) + "': change it");
+    if (!rows.empty() && ratio <= rows.back().first)
+      fail(row, "'ratio' must rise from line to line, but " + swellflow::shown(ratio) + " follows " + swellflow::shown(rows.back().first) + ": sort the table");
+    rows.emplace_back(ratio, factor);
+  }
+  if (rows.empty()) line.fail("the table of 'stiffening' must have a line of values, but '" + file + "' has none: add some");
 }
 
 int FixMassSpring::setmask() { return POST_FORCE; }
@@ -67,11 +102,22 @@ void FixMassSpring::init()
 {
   objects_ = require_objects(lmp, *this);
   totals_step_ = -1;
+  find_integrators();
   if (!damped()) return;
   dashpot_ = static_cast<FixPropertyAtom *>(modify->fix[modify->find_fix(dashpot_property().c_str())]);
   if (!comm->ghost_velocity)
     error->fix_error(FLERR, this, ("a dashpot needs its partner's velocity, but ghosts have none (restitution is " +
                                    swellflow::shown(restitution_) + "): add 'communicate single vel yes'").c_str());
+}
+
+void FixMassSpring::find_integrators()
+{
+  solved_groups_ = explicit_groups_ = 0;
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix &fix = *modify->fix[k];
+    if (solves_springs(fix)) solved_groups_ |= fix.groupbit;
+    else if (takes_springs_as_forces(fix)) explicit_groups_ |= fix.groupbit;
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -83,7 +129,8 @@ void FixMassSpring::init()
 void FixMassSpring::setup(int)
 {
   objects_->require_whole_objects(*this);
-  add_springs();
+  require_stable_step();
+  add_springs([this](int i, const Vector2 &F) { atom->f[i][0] += F.x(), atom->f[i][1] += F.y(); });
   if (!damped()) return;
   if (dashpot_step_ != update->ntimestep) measure_dashpots();
   add_dashpots();
@@ -93,7 +140,10 @@ void FixMassSpring::post_force(int)
 {
   swellflow::StepClock::Scope timing(objects_->clock(), swellflow::StepClock::springs);
   totals_step_ = -1;  // a variable may have asked for the values of this step before it came
-  add_springs();
+  // Objects that shrink, or stiffen as they swell, vibrate ever faster; beyond the limit a disturbance grows by a third a step.
+  constexpr bigint steps_between_checks = 100;
+  if (update->ntimestep % steps_between_checks == 0) require_stable_step();
+  add_springs([this](int i, const Vector2 &F) { atom->f[i][0] += F.x(), atom->f[i][1] += F.y(); });
   if (!damped()) return;
   measure_dashpots();
   add_dashpots();
@@ -101,27 +151,46 @@ void FixMassSpring::post_force(int)
 
 /* ---------------------------------------------------------------------- */
 
-bool FixMassSpring::holds(const ObjectPoints &object) const { return atom->mask[object.hub] & groupbit; }
+bool FixMassSpring::acts_on(const ObjectPoints &object) const { return atom->mask[object.hub] & groupbit; }
 
-/// visit(a, b, natural length), each spring once; `a` is the ring point that the spring is stored with.
+bool FixMassSpring::gives_forces_to(const ObjectPoints &object) const
+{
+  return acts_on(object) && !(atom->mask[object.hub] & solved_groups_);
+}
+
+const swellflow::SpringSet &FixMassSpring::springs_of(const ObjectPoints &object) const
+{
+  double **points = objects_->points(), *mass = atom->rmass;
+  const bool spokes = points[object.hub][FixObjects::SPOKES] != 0.0;
+  springs_.ring.resize(object.n_ring);
+  springs_.spokes.resize(spokes ? object.n_ring : 0);
+  for (int k = 0; k < object.n_ring; k++) {
+    const int a = object.ring[k], b = object.ring[k + 1 < object.n_ring ? k + 1 : 0];
+    const double lambda = points[a][FixObjects::LAMBDA];
+    springs_.ring[k] = law_.spring(points[a][FixObjects::RING_LENGTH], lambda, mass[a], mass[b]);
+    if (spokes) springs_.spokes[k] = law_.spring(points[a][FixObjects::SPOKE_LENGTH], lambda, mass[a], mass[object.hub]);
+  }
+  return springs_;
+}
+
+/// visit(a, b, spring), each spring once; `a` is the ring point that the spring is stored with.
 template <typename Visit>
 void FixMassSpring::for_each_spring(const ObjectPoints &object, const Visit &visit) const
 {
-  double **points = objects_->points();
-  swellflow::for_each_spring(object.n_ring, [&](int k, int other, bool is_spoke) {
-    const int a = object.ring[k], b = is_spoke ? object.hub : object.ring[other];
-    const double stored = points[a][is_spoke ? FixObjects::SPOKE_LENGTH : FixObjects::RING_LENGTH];
-    visit(a, b, points[a][FixObjects::LAMBDA] * stored);
+  swellflow::for_each_spring(springs_of(object), [&](int k, int other, const swellflow::Spring &spring) {
+    visit(object.ring[k], other == object.n_ring ? object.hub : object.ring[other], spring);
   });
 }
 
-void FixMassSpring::add_springs()
+/// add(i, force on own point i)
+template <typename Add>
+void FixMassSpring::add_springs(const Add &add) const
 {
-  double **x = atom->x, **f = atom->f;
+  double **x = atom->x;
   for (const ObjectPoints &object : objects_->objects()) {
-    if (!holds(object)) continue;
-    for_each_spring(object, [&](int a, int b, double L) {
-      add_pair(f, a, b, swellflow::spring_force(plane(x[a]), plane(x[b]), L, law_.stiffness));
+    if (!gives_forces_to(object)) continue;
+    for_each_spring(object, [&](int a, int b, const swellflow::Spring &spring) {
+      add_pair(add, a, b, swellflow::spring_force(plane(x[a]), plane(x[b]), spring.length, spring.stiffness));
     });
   }
 }
@@ -130,11 +199,11 @@ void FixMassSpring::measure_dashpots()
 {
   double **x = atom->x, **v = atom->v, **dashpot = dashpot_->array_atom;
   for (int i = 0; i < atom->nlocal; i++) dashpot[i][0] = dashpot[i][1] = 0.0;
+  const auto add = [dashpot](int i, const Vector2 &F) { dashpot[i][0] += F.x(), dashpot[i][1] += F.y(); };
   for (const ObjectPoints &object : objects_->objects()) {
-    if (!holds(object)) continue;
-    for_each_spring(object, [&](int a, int b, double) {
-      const double c = law_.dashpot(atom->rmass[a], atom->rmass[b]);
-      add_pair(dashpot, a, b, swellflow::dashpot_force(plane(x[a]), plane(x[b]), plane(v[a]), plane(v[b]), c));
+    if (!gives_forces_to(object)) continue;
+    for_each_spring(object, [&](int a, int b, const swellflow::Spring &spring) {
+      add_pair(add, a, b, swellflow::dashpot_force(plane(x[a]), plane(x[b]), plane(v[a]), plane(v[b]), spring.dashpot));
     });
   }
   dashpot_step_ = update->ntimestep;
@@ -146,16 +215,25 @@ void FixMassSpring::add_dashpots()
     for (int d = 0; d < 2; d++) atom->f[i][d] += dashpot_->array_atom[i][d];
 }
 
+void FixMassSpring::add_given(double *own_xy) const
+{
+  add_springs([own_xy](int i, const Vector2 &F) { own_xy[2 * i] += F.x(), own_xy[2 * i + 1] += F.y(); });
+  if (!damped() || dashpot_step_ != update->ntimestep) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 2; d++) own_xy[2 * i + d] += dashpot_->array_atom[i][d];
+}
+
 /* ----------------------------------------------------------------------
    to the own atoms of a pair; a point may be here as an image while its
    own atom lies at the other side of a periodic box
 ------------------------------------------------------------------------- */
 
-void FixMassSpring::add_pair(double **force, int a, int b, const Vector2 &F) const
+template <typename Add>
+void FixMassSpring::add_pair(const Add &add, int a, int b, const Vector2 &F) const
 {
   const int own_a = objects_->own_index(a), own_b = objects_->own_index(b);
-  if (own_a >= 0) force[own_a][0] += F.x(), force[own_a][1] += F.y();
-  if (own_b >= 0) force[own_b][0] -= F.x(), force[own_b][1] -= F.y();
+  if (own_a >= 0) add(own_a, F);
+  if (own_b >= 0) add(own_b, -F);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -175,52 +253,3 @@ void FixMassSpring::write_restart(FILE *fp)
 }
 
 void FixMassSpring::restart(char *buffer) { dashpot_step_ = static_cast<bigint>(*reinterpret_cast<double *>(buffer)); }
-
-/* ----------------------------------------------------------------------
-   values for thermo: each spring is counted by the rank of its ring point
-------------------------------------------------------------------------- */
-
-double FixMassSpring::step_over_limit(const ObjectPoints &object) const
-{
-  const double *m = atom->rmass;
-  const double omega_squared =
-      swellflow::largest_omega_squared(law_.stiffness, object.n_ring, m[object.ring[0]], m[object.hub]);
-  return 0.5 * update->dt * std::sqrt(omega_squared);
-}
-
-const FixMassSpring::Totals &FixMassSpring::totals()
-{
-  if (totals_step_ == update->ntimestep) return totals_;
-  double **x = atom->x, **v = atom->v;
-  double sums[2] = {0.0, 0.0}, largest[2] = {0.0, 0.0};
-  const bool current = objects_->current();
-  for (std::size_t k = 0; current && k < objects_->objects().size(); k++) {
-    const ObjectPoints &object = objects_->objects()[k];
-    if (!holds(object)) continue;
-    largest[1] = std::max(largest[1], step_over_limit(object));
-    for_each_spring(object, [&](int a, int b, double L) {
-      if (objects_->own_index(a) < 0) return;
-      const Vector2 d = plane(x[a]) - plane(x[b]);
-      const double stretch = d.norm() - L;
-      sums[0] += 0.5 * law_.stiffness * stretch * stretch;
-      largest[0] = std::max(largest[0], std::abs(stretch) / L);
-      if (!damped()) return;
-      const double closing = (plane(v[a]) - plane(v[b])).dot(swellflow::direction(plane(x[a]), plane(x[b])));
-      sums[1] += law_.dashpot(atom->rmass[a], atom->rmass[b]) * closing * closing;
-    });
-  }
-  MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, world);
-  totals_ = {.energy = sums[0], .largest_strain = largest[0], .dissipated_power = sums[1], .step_over_limit = largest[1]};
-  totals_step_ = update->ntimestep;
-  return totals_;
-}
-
-double FixMassSpring::compute_scalar() { return totals().energy; }
-
-double FixMassSpring::compute_vector(int n)
-{
-  const Totals &now = totals();
-  const double values[] = {now.energy, now.largest_strain, now.dissipated_power, now.step_over_limit};
-  return values[n];
-}

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fix.h"
 #include "fluid_partner.h"
-#include "objects/springs.h"
+#include "objects/spring_law.h"
+#include "options.h"
 
 namespace LAMMPS_NS {
 
@@ -29,29 +31,47 @@ class FixMassSpring : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
 
+  bool acts_on(const swellflow::ObjectPoints &object) const;
+  /// The object's springs as they are now; what it returns is overwritten by the next call.
+  const swellflow::SpringSet &springs_of(const swellflow::ObjectPoints &object) const;
+  double energy_of(const swellflow::ObjectPoints &object) const;
+  /// Adds what this fix has put into atom->f of own points in this step, x and y; nothing for objects whose integrator solves the springs itself.
+  void add_given(double *own_xy) const;
+
  private:
   struct Totals {
     double energy = 0.0, largest_strain = 0.0, dissipated_power = 0.0, step_over_limit = 0.0;
   };
+  void parse(int narg, char **arg);
+  void read_stiffening(swellflow::Arguments &line);
+  void find_integrators();
   template <typename Visit>
   void for_each_spring(const swellflow::ObjectPoints &object, const Visit &visit) const;
-  void add_springs();
+  bool gives_forces_to(const swellflow::ObjectPoints &object) const;
+  template <typename Add>
+  void add_springs(const Add &add) const;
   void measure_dashpots();
   void add_dashpots();
-  void add_pair(double **force, int a, int b, const swellflow::Vector2 &F) const;
+  template <typename Add>
+  void add_pair(const Add &add, int a, int b, const swellflow::Vector2 &F) const;
   bool damped() const { return law_.damping > 0.0; }
   std::string dashpot_property() const { return std::string("spring_dashpot_") + id; }
-  bool holds(const swellflow::ObjectPoints &object) const;
   const Totals &totals();
-  double step_over_limit(const swellflow::ObjectPoints &object) const;
+
+  bool moves_explicitly(const swellflow::ObjectPoints &object) const;
+  struct StepLimit { double step_over_limit = 0.0; int object = 0; };  // laid out as MPI_DOUBLE_INT
+  StepLimit step_over_limit() const;
+  void require_stable_step() const;
 
   swellflow::SpringLaw law_;
   double restitution_;
   FixObjects *objects_;
   FixPropertyAtom *dashpot_;  // force of the dashpots on each point, at dashpot_step_; null without damping
   bigint dashpot_step_;       // -1: none yet
+  int solved_groups_, explicit_groups_;  // bits of the groups whose integrators solve springs, or take them as forces
   Totals totals_;
   bigint totals_step_;  // of totals_; -1: none
+  mutable swellflow::SpringSet springs_;
 };
 
 }  // namespace LAMMPS_NS

@@ -44,11 +44,12 @@ double FixNveCds::mass_of(int i) const { return atom->rmass ? atom->rmass[i] : a
 void FixNveCds::kick_half_a_step()
 {
   std::optional<swellflow::StepClock::Scope> timing;
-  if (FixObjects *objects = find_objects(lmp)) timing.emplace(objects->clock(), swellflow::StepClock::integration);
+  FixObjects *objects = find_objects(lmp);
+  if (objects) timing.emplace(objects->clock(), swellflow::StepClock::integration);
   double **law = fluid_columns(lmp, FluidLaw::NAME), **impulse = fluid_columns(lmp, FluidImpulse::NAME);
   const double half_step = 0.5 * update->dt * force->ftm2v;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
+    if (!(atom->mask[i] & groupbit) || (objects && objects->follows_its_ring(i))) continue;
     if (law && impulse)
       kick_in_fluid(i, half_step, mass_of(i), law[i], impulse[i]);
     else

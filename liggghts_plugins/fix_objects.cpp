@@ -26,6 +26,7 @@ FixObjects::FixObjects(LAMMPS *lmp, int narg, char **arg) :
   if (strcmp(id, ID) != 0)
     error->fix_error(FLERR, this, "this fix is made by create_objects, under the id 'objects': remove it from the script");
   nevery = 1;
+  comm_forward = 3;
   radius_cap_.assign(atom->ntypes + 1, 0.0);
 }
 
@@ -33,7 +34,7 @@ FixObjects::~FixObjects() = default;
 
 int FixObjects::setmask()
 {
-  return PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | END_OF_STEP;
+  return PRE_INITIAL_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | PRE_FORCE | END_OF_STEP;
 }
 
 void FixObjects::post_create()
@@ -59,6 +60,8 @@ void FixObjects::init()
   property_ = static_cast<FixPropertyAtom *>(modify->fix[found]);
   // Without contacts there is no cut-off, and LIGGGHTS cannot choose the bins in which it sorts atoms.
   if (!force->pair) atom->sortfreq = 0;
+  exclude_points_without_spheres();
+  require_ghost_velocities();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -85,6 +88,14 @@ bool FixObjects::current() const
     if (atom->tag[last] != atom->tag[object.hub] + object.n_ring) return false;
   }
   return !objects_.empty();
+}
+
+bool FixObjects::current_everywhere() const
+{
+  const bool same_atoms = atom->nlocal == listed_atoms_ && atom->nghost == listed_ghosts_;
+  int current_here = same_atoms && (objects_.empty() || current());
+  MPI_Allreduce(MPI_IN_PLACE, &current_here, 1, MPI_INT, MPI_MIN, world);
+  return current_here;
 }
 
 /* ----------------------------------------------------------------------
@@ -123,6 +134,8 @@ void FixObjects::list_objects()
 {
   objects_.clear();
   ring_indices_.clear();
+  listed_atoms_ = atom->nlocal;
+  listed_ghosts_ = atom->nghost;
   std::vector<std::size_t> first_ring_point;
   int lost = 0;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -187,12 +200,14 @@ void FixObjects::pre_neighbor()
   // Ghosts are new: LIGGGHTS has not yet told them what they are.
   property_->do_forward_comm();
   list_objects();
+  update_rotations();
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixObjects::setup(int)
 {
+  require_exclusions();
   fixes_.assign(modify->fix, modify->fix + modify->nfix);
   progress_->start(clock_);
 }
@@ -218,6 +233,26 @@ void FixObjects::post_run()
   progress_->finish(clock_);
   // Points that are not a number do not trip LIGGGHTS' check of distances, so that there may have been no reneighbouring.
   require_finite_points();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixObjects::send_to_ghosts(double *values, int width)
+{
+  sent_ = values;
+  sent_width_ = width;
+  comm->forward_comm_fix(this);
+}
+
+int FixObjects::pack_comm(int n, int *list, double *buf, int, int *)
+{
+  for (int i = 0; i < n; i++) buf = std::copy_n(sent_ + sent_width_ * list[i], sent_width_, buf);
+  return sent_width_;
+}
+
+void FixObjects::unpack_comm(int n, int first, double *buf)
+{
+  std::copy_n(buf, sent_width_ * n, sent_ + sent_width_ * first);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -33,9 +33,10 @@ class FixObjects : public Fix {
     CDS_RADIUS,        // at lambda = 1
     HAS_CDS,           // 0: the point takes part in no contact; its radius is a token
     MASS,              // at lambda = 1
+    OBJECT_MASS,       // of all points of the object together, at lambda = 1
     LAMBDA,            // natural swelling ratio
     START_DIAMETER,    // natural diameter when the present swelling law began; 0: none has
-    START_TIME,        // that law's clock then
+    START_TIME,        // the clock of its fix then, and the time that the object has lost since then because load slows it down
     RATE_FACTOR,       // of the object's swelling law: its speed over that of the law
     SIZE_FACTOR,       // its growth over that of the law
     ROTATION,          // angle by which the object has turned since it was made, not wrapped
@@ -43,6 +44,7 @@ class FixObjects : public Fix {
   };
   static constexpr const char *ID = "objects";
   static constexpr const char *PROPERTY = "object_point";
+  static constexpr const char *GROUP_WITHOUT_CDS = "without_cds";  // all points with HAS_CDS 0
 
   FixObjects(class LAMMPS *, int, char **);
   ~FixObjects() override;
@@ -53,12 +55,16 @@ class FixObjects : public Fix {
   void setup_pre_exchange() override;
   void setup_pre_neighbor() override;
   void setup(int) override;
+  void setup_pre_force(int) override;
   void pre_initial_integrate() override;
   void pre_exchange() override;
   void pre_neighbor() override;
+  void pre_force(int) override;
   void end_of_step() override;
   void post_run() override;
   double max_rad(int type) override;
+  int pack_comm(int n, int *list, double *buf, int pbc_flag, int *pbc) override;
+  void unpack_comm(int n, int first, double *buf) override;
   // For atoms with a radius LIGGGHTS sends only what lies within half of this (plus radius and skin) of a border.
   double extend_cut_ghost() override { return 2.0 * ghost_reach_; }
 
@@ -72,15 +78,29 @@ class FixObjects : public Fix {
   /// The columns above, for own and ghost atoms. May move when atoms migrate: take it anew each step.
   double **points() const;
   bool is_point(int i) const { return points()[i][RING_POINTS] > 0.0; }
+  /// Whether it is a hub without spokes, which is set to the mean of its ring in every step and must not be integrated.
+  bool follows_its_ring(int i) const;
+  /// Of the hub of the object that point `i` belongs to.
+  int tag_of_hub(int i) const;
   /// Whether objects() agrees with LIGGGHTS' arrays: not before the first run, nor after a command has moved atoms about.
   bool current() const;
+  /// Whether this holds on all ranks, so that objects can be measured and ghosts be sent to. Collective.
+  bool current_everywhere() const;
+  /// Brings the column ROTATION up to date, for all points of all objects on this rank. Turns are counted as long as no object turns by half a turn between two
+  /// calls: one is made whenever LIGGGHTS makes new neighbour lists, which is when a point has moved by half the skin.
+  void update_rotations();
   /// Error when a group holds some points of an object but not all. Collective, after the first neighbouring.
   void require_whole_objects(const Fix &asking) const;
+
+  /// Points without a sphere become a group, and LIGGGHTS is told to keep them out of neighbour lists. Collective, before lists are set up.
+  void exclude_points_without_spheres();
+
+  /// `width` values an atom, at most 3, own atoms and then ghosts: each ghost gets those of its own atom. Collective.
+  void send_to_ghosts(double *values, int width);
 
   swellflow::StepClock &clock() { return clock_; }
 
  private:
-  int tag_of_hub(int i) const;
   bool represents_its_object(int i) const;
   bool find_points(int i, int &hub, int *ring) const;
   void list_objects();
@@ -91,7 +111,9 @@ class FixObjects : public Fix {
   void require_all_points(const Counts &now);
   void require_same_fixes();
 
-  void require_exclusion();
+  void require_ghost_velocities();
+  bool overlap_by_design(int i, int j) const;
+  void require_exclusions();
 
   struct Largest { double value; int object; };  // laid out as MPI_DOUBLE_INT
   enum Measure { ACROSS_X, ACROSS_Y, REACH, N_MEASURES };
@@ -115,10 +137,14 @@ class FixObjects : public Fix {
   FixPropertyAtom *property_;
   std::vector<swellflow::ObjectPoints> objects_;
   std::vector<int> ring_indices_;
+  bool excludes_ = false;           // neighbour lists leave out GROUP_WITHOUT_CDS
+  int listed_atoms_ = 0, listed_ghosts_ = 0;  // when objects_ was made
   Counts counts_;                   // on all ranks, when the run or the last reneighbouring began
   std::vector<const Fix *> fixes_;  // when the run began
   std::vector<double> radius_cap_;  // per type, what max_rad returns
   double ghost_reach_;
+  double *sent_ = nullptr;          // what is being sent to ghosts, for pack_comm and unpack_comm
+  int sent_width_ = 0;
   swellflow::StepClock clock_;
   std::unique_ptr<ProgressLine> progress_;
 };

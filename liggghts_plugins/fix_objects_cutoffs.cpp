@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "all_ranks.h"
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
@@ -27,23 +28,6 @@ namespace {
 // A cap above the radius, and a reach above the extent, spares a new set-up at each reneighbouring of a growing object.
 constexpr double headroom = 1.05;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-template <typename T>
-std::vector<T> from_all_ranks(const std::vector<T> &own, MPI_Comm world)
-{
-  int ranks, size = own.size();
-  MPI_Comm_size(world, &ranks);
-  std::vector<int> sizes(ranks), offsets(ranks, 0);
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
-  for (int rank = 1; rank < ranks; rank++) offsets[rank] = offsets[rank - 1] + sizes[rank - 1];
-  std::vector<T> all(offsets.back() + sizes.back());
-  MPI_Datatype record;
-  MPI_Type_contiguous(sizeof(T), MPI_BYTE, &record);
-  MPI_Type_commit(&record);
-  MPI_Allgatherv(own.data(), size, record, all.data(), sizes.data(), offsets.data(), record, world);
-  MPI_Type_free(&record);
-  return all;
-}
 
 }  // namespace
 
@@ -257,7 +241,6 @@ bool FixObjects::widen_cutoffs(double widest_object)
 
 void FixObjects::setup_pre_exchange()
 {
-  require_exclusion();
   counts_ = own_counts();
   MPI_Allreduce(MPI_IN_PLACE, counts_.data(), N_COUNTS, MPI_LMP_BIGINT, MPI_SUM, world);
   Extents largest = extents_of_unwrapped_objects();

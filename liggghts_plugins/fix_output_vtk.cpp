@@ -1,22 +1,25 @@
 // When frames are due, what they hold, and fresh values for the points that are ghosts on the rank that writes them.
 #include "fix_output_vtk.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "atom.h"
-#include "comm.h"
+#include "contact_forces.h"
 #include "error.h"
 #include "fix_fluid_ib.h"
 #include "fix_objects.h"
 #include "modify.h"
+#include "object_measures.h"
 #include "options.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 
 FixOutputVtk::FixOutputVtk(LAMMPS *lmp, int narg, char **arg, const swellflow::OutputPartnerFactory &make_partner) :
-  Fix(lmp, narg, arg), frame_(nullptr), last_step_(-1), restart_time_(-1.0), time_offset_(0.0)
+  Fix(lmp, narg, arg), times_(lmp)
 {
   swellflow::or_stop(lmp, [&] {
     const std::string place = std::string("fix ") + arg[0] + " output/vtk";
@@ -26,15 +29,14 @@ FixOutputVtk::FixOutputVtk(LAMMPS *lmp, int narg, char **arg, const swellflow::O
     options.integer("every", nevery, swellflow::Range::at_least(1), "DEM steps between frames").required();
     options.text("folder", options_.folder, "folder of the files, made when it is missing");
     options.list("fields", options_.fields, {}, "fields of the fluid");
-    options.list("objects", objects, {"outline", "points", "cds"}, "what to write of the objects");
+    options.list("objects", objects, {"outline", "points", "cds", "centres"}, "what to write of the objects");
     options.parse(arguments);
     for (const std::string &word : objects)
-      (word == "outline" ? options_.outline : word == "points" ? options_.points : options_.cds) = true;
+      (word == "outline" ? options_.outline : word == "points" ? options_.points : word == "cds" ? options_.cds : options_.centres) = true;
     if (!needs_fluid() && !needs_objects())
-      arguments.fail("there is nothing to write: give fields (velocity pressure), objects (outline points cds) or both");
+      arguments.fail("there is nothing to write: give fields (velocity pressure), objects (outline points cds centres) or both");
   });
   options_.units = update->unit_style;
-  comm_forward = 6;
   restart_global = 1;
   require_own_folder();
   try {
@@ -67,6 +69,7 @@ void FixOutputVtk::require_own_folder()
 void FixOutputVtk::init()
 {
   if (needs_objects()) require_objects(lmp, *this);
+  if (options_.centres) require_whole_forces(lmp, *this);
   if (!needs_fluid()) return;
   const int fluid_place = place_of("fluid/ib");
   if (fluid_place < 0)
@@ -97,36 +100,24 @@ void FixOutputVtk::require_fields()
 void FixOutputVtk::setup(int)
 {
   if (needs_fluid()) require_fields();
-  if (restart_time_ >= 0.0) time_offset_ = restart_time_ - update->get_cur_time();
-  restart_time_ = -1.0;
-  const bool first_run = last_step_ < 0;
-  if (first_run || update->ntimestep % nevery == 0) write_frame();
+  if (times_.begin_run(nevery)) write_frame();
 }
 
 void FixOutputVtk::end_of_step() { write_frame(); }
 
-double FixOutputVtk::time() const { return update->get_cur_time() + time_offset_; }
+void FixOutputVtk::write_restart(FILE *fp) { times_.write_restart(fp); }
 
-void FixOutputVtk::write_restart(FILE *fp)
-{
-  if (comm->me != 0) return;
-  const double state = time();
-  const int size = sizeof state;
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&state, sizeof state, 1, fp);
-}
+void FixOutputVtk::restart(char *buffer) { times_.restart(buffer); }
 
-void FixOutputVtk::restart(char *buffer) { memcpy(&restart_time_, buffer, sizeof restart_time_); }
-
-/// A run that starts where the last one ended would meet the same step twice.
 void FixOutputVtk::write_frame()
 {
-  if (update->ntimestep == last_step_) return;
+  if (!times_.take_step()) return;
   swellflow::OutputFrame frame;
   frame.step = update->ntimestep;
-  frame.time = time();
+  frame.time = times_.time();
   if (needs_fluid()) frame.fluid = fluid();
-  if (needs_objects()) {
+  if (options_.centres) frame.measures = measure_objects(lmp, groupbit);
+  if (draws_objects()) {
     collect_objects(frame);
     collect_points(frame);
   }
@@ -135,7 +126,6 @@ void FixOutputVtk::write_frame()
   } catch (const std::runtime_error &failure) {
     error->fix_error(FLERR, this, failure.what());
   }
-  last_step_ = update->ntimestep;
 }
 
 void FixOutputVtk::collect_objects(swellflow::OutputFrame &frame) const
@@ -146,38 +136,12 @@ void FixOutputVtk::collect_objects(swellflow::OutputFrame &frame) const
 }
 
 /// Ghosts' velocities are those of the middle of the step, and their forces are not summed up: ask their owners.
-void FixOutputVtk::collect_points(swellflow::OutputFrame &frame)
+void FixOutputVtk::collect_points(swellflow::OutputFrame &frame) const
 {
   const int n_all = atom->nlocal + atom->nghost;
-  frame.velocity.resize(3 * n_all);
-  frame.force.resize(3 * n_all);
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int d = 0; d < 3; d++) {
-      frame.velocity[3 * i + d] = atom->v[i][d];
-      frame.force[3 * i + d] = atom->f[i][d];
-    }
-  frame_ = &frame;
-  comm->forward_comm_fix(this);
-  frame_ = nullptr;
-}
-
-int FixOutputVtk::pack_comm(int n, int *list, double *buf, int, int *)
-{
-  int m = 0;
-  for (int i = 0; i < n; i++)
-    for (int d = 0; d < 3; d++) {
-      buf[m++] = frame_->velocity[3 * list[i] + d];
-      buf[m++] = frame_->force[3 * list[i] + d];
-    }
-  return comm_forward;
-}
-
-void FixOutputVtk::unpack_comm(int n, int first, double *buf)
-{
-  int m = 0;
-  for (int i = first; i < first + n; i++)
-    for (int d = 0; d < 3; d++) {
-      frame_->velocity[3 * i + d] = buf[m++];
-      frame_->force[3 * i + d] = buf[m++];
-    }
+  for (auto [values, whence] : {std::pair(&frame.velocity, atom->v), std::pair(&frame.force, atom->f)}) {
+    values->resize(3 * n_all);
+    for (int i = 0; i < atom->nlocal; i++) std::copy_n(whence[i], 3, values->data() + 3 * i);
+    find_objects(lmp)->send_to_ghosts(values->data(), 3);
+  }
 }

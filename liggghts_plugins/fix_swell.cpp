@@ -2,64 +2,68 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 
 #include "atom.h"
 #include "comm.h"
+#include "contact_forces.h"
 #include "error.h"
 #include "fix_objects.h"
-#include "modify.h"
-#include "objects/outline.h"
+#include "neighbor.h"
+#include "object_geometry.h"
 #include "options.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using swellflow::ObjectPoints;
-using swellflow::Range;
-using swellflow::Vector2;
+
+namespace {
+
+/// Whether two points have the same natural size at all times.
+bool starts_alike(const double *a, const double *b)
+{
+  using enum FixObjects::Column;
+  for (const int column : {START_DIAMETER, START_TIME, RATE_FACTOR, SIZE_FACTOR, DIAMETER, OBJECT_MASS})
+    if (a[column] != b[column]) return false;
+  return true;
+}
+
+}  // namespace
 
 /* ---------------------------------------------------------------------- */
 
 FixSwell::FixSwell(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), law_(LINEAR), absorb_(true), variable_value_(1.0), objects_(nullptr), values_{}, values_step_(-1)
+    Fix(lmp, narg, arg), variable_value_(1.0), least_variable_(0.0), least_object_(0), restored_(false), own_settled_at_(-1), settled_at_(-1),
+    objects_(nullptr), values_{}, values_step_(-1)
 {
-  swellflow::or_stop(lmp, [&] { parse(narg, arg); });
+  swellflow::or_stop(lmp, [&] {
+    swellflow::Arguments line(std::string("fix ") + id + " swell", narg - 3, arg + 3);
+    script_ = swellflow::read_swell(lmp, line);
+  });
   clock_ = {.base_time = 0.0, .base_step = static_cast<long>(update->ntimestep), .step_length = update->dt};
   restart_global = 1;
   scalar_flag = vector_flag = 1;
   size_vector = N_VALUES;
   global_freq = 1;
   extscalar = extvector = 0;
+  nevery = 1;
 }
 
-void FixSwell::parse(int narg, char **arg)
+int FixSwell::setmask() { return POST_INTEGRATE | PRE_FORCE | (script_.slowed_by_load() ? PRE_INITIAL_INTEGRATE | END_OF_STEP : 0); }
+
+void FixSwell::post_create()
 {
-  swellflow::Arguments line(std::string("fix ") + id + " swell", narg - 3, arg + 3);
-  law_ = static_cast<Law>(line.choice("law", {"linear", "diameter", "ratio"}));
-  swellflow::Options options(line.place());
-  options.yes_no("absorb", absorb_, "whether the objects drink the fluid that they grow by");
-  if (law_ == LINEAR) {
-    options.number("rate", linear_.rate, Range::not_negative(), "diameter per time", "growth of the natural diameter").required();
-    options.number("max", linear_.largest_diameter, Range::positive(), "length", "largest natural diameter").required();
-  } else {
-    const std::string given = line.empty() ? "" : line.peek();
-    if (given.rfind("v_", 0) != 0) line.fail("the size must be an equal-style variable written v_NAME, but is '" + given + "': change it");
-    size_ = swellflow::ScriptValue::read(line, law_ == DIAMETER ? "diameter" : "ratio", law_ == DIAMETER ? "length" : "swelling ratio");
-  }
-  options.parse(line);
+  objects_ = require_objects(lmp, *this);
+  // A law that does not come from a restart file begins at the present sizes, whatever laws there were before.
+  if (!restored_) forget_starts();
 }
-
-int FixSwell::setmask() { return POST_INTEGRATE | PRE_FORCE; }
-
-void FixSwell::post_create() { objects_ = require_objects(lmp, *this); }
 
 void FixSwell::pre_delete(bool unfixflag)
 {
-  // A later law begins at the size that this one leaves.
-  FixObjects *objects = find_objects(lmp);
-  if (!unfixflag || !objects) return;
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & groupbit) && objects->is_point(i)) objects->points()[i][FixObjects::START_DIAMETER] = 0.0;
+  objects_ = find_objects(lmp);
+  if (unfixflag && objects_) forget_starts();
 }
 
 void FixSwell::init()
@@ -69,67 +73,45 @@ void FixSwell::init()
   atom->radvary_flag = 1;
   clock_.change_step_length(update->ntimestep, update->dt);
   require_one_law_per_object();
+  if (script_.slowed_by_load()) require_whole_forces(lmp, *this);
   start_law();
-  check_law();
+  if (script_.law) {
+    require_starts();
+    require_sizes();
+  } else {
+    swellflow::or_stop(lmp, [this] { script_.size.require(lmp); });
+    find_least_variable();
+  }
   values_step_ = -1;
-}
-
-void FixSwell::require_one_law_per_object()
-{
-  for (int k = 0; k < modify->nfix; k++) {
-    const Fix *other = modify->fix[k];
-    if (other == this || strcmp(other->style, style) != 0) continue;
-    int both = 0;
-    for (int i = 0; i < atom->nlocal; i++)
-      both |= objects_->is_point(i) && (atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit);
-    MPI_Allreduce(MPI_IN_PLACE, &both, 1, MPI_INT, MPI_MAX, world);
-    if (both)
-      error->fix_error(FLERR, this, (std::string("an object must swell by one law, but fix ") + other->id +
-                                     " acts on the same objects: use groups that share none").c_str());
-  }
-}
-
-/* ----------------------------------------------------------------------
-   objects that this law has not met yet begin it at their present size
-------------------------------------------------------------------------- */
-
-void FixSwell::start_law()
-{
-  double **points = objects_->points();
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || !objects_->is_point(i) || points[i][FixObjects::START_DIAMETER] > 0.0) continue;
-    points[i][FixObjects::START_DIAMETER] = points[i][FixObjects::LAMBDA] * points[i][FixObjects::DIAMETER];
-    points[i][FixObjects::START_TIME] = time();
-  }
-}
-
-void FixSwell::check_law()
-{
-  if (law_ != LINEAR) {
-    swellflow::or_stop(lmp, [this] { size_.require(lmp); });
-    return;
-  }
-  double largest = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & groupbit) && objects_->is_point(i))
-      largest = std::max(largest, objects_->points()[i][FixObjects::START_DIAMETER]);
-  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (largest > linear_.largest_diameter * (1.0 + 1e-12))
-    error->fix_error(FLERR, this, ("'max' must be at least the present natural diameter " + swellflow::shown(largest) + ", but is " +
-                                   swellflow::shown(linear_.largest_diameter) + ": raise it").c_str());
 }
 
 /* ---------------------------------------------------------------------- */
 
+bool FixSwell::is_ours(int i) const { return (atom->mask[i] & groupbit) && objects_->is_point(i); }
+
 double FixSwell::time() const { return clock_.time(update->ntimestep); }
+
+/* ----------------------------------------------------------------------
+   the object's own time since its law began: load moves START_TIME on
+------------------------------------------------------------------------- */
+
+double FixSwell::elapsed(const double *point, double time) const
+{
+  return point[FixObjects::RATE_FACTOR] * (time - point[FixObjects::START_TIME]);
+}
 
 void FixSwell::setup_pre_force(int)
 {
   evaluate_variable();
-  grow(0, atom->nlocal + atom->nghost);
+  grow(0, atom->nlocal + atom->nghost, true);
+  own_settled_at_ = settled_at_ = -1;
 }
 
-void FixSwell::setup(int) { objects_->require_whole_objects(*this); }
+void FixSwell::setup(int)
+{
+  objects_->require_whole_objects(*this);
+  if (script_.slowed_by_load()) measure_speeds();
+}
 
 /* ----------------------------------------------------------------------
    own points before LIGGGHTS decides on new neighbour lists, so that it
@@ -139,40 +121,131 @@ void FixSwell::setup(int) { objects_->require_whole_objects(*this); }
 void FixSwell::post_integrate()
 {
   values_step_ = -1;  // a variable may have asked for the values of this step before it came
+  if (settled()) return;
   evaluate_variable();
-  grow(0, atom->nlocal);
+  own_settled_at_ = grow(0, atom->nlocal, false) ? neighbor->lastcall : -1;
 }
 
-void FixSwell::pre_force(int) { grow(atom->nlocal, atom->nlocal + atom->nghost); }
+void FixSwell::pre_force(int)
+{
+  if (script_.slowed_by_load()) tell_ghosts_their_starts();
+  if (settled()) return;
+  const bool ghosts_settled = grow(atom->nlocal, atom->nlocal + atom->nghost, false);
+  settled_at_ = ghosts_settled && own_settled_at_ == neighbor->lastcall ? neighbor->lastcall : -1;
+}
+
+/* ----------------------------------------------------------------------
+   all points of this rank keep their size until there are new ones. A
+   variable must be evaluated on all ranks, also on those without points.
+------------------------------------------------------------------------- */
+
+bool FixSwell::settled() const { return script_.law && settled_at_ >= 0 && settled_at_ == neighbor->lastcall; }
 
 void FixSwell::evaluate_variable()
 {
-  if (law_ == LINEAR) return;
-  swellflow::with_variables(lmp, update->ntimestep + 1, [this] { variable_value_ = size_.evaluate(lmp); });
-  if (!Range::positive().holds(variable_value_))
-    error->fix_error(FLERR, this, ("the size must be a number > 0, but variable '" + size_.variable() + "' gave " +
-                                   swellflow::shown(variable_value_) + ": change its formula").c_str());
+  if (script_.law) return;
+  swellflow::with_variables(lmp, update->ntimestep + 1, [this] { variable_value_ = script_.size.evaluate(lmp); });
+  if (!(variable_value_ > least_variable_)) fail_size(least_object_, variable_value_, time());
 }
 
-double FixSwell::natural_lambda(const double *point, double time) const
+FixSwell::Natural FixSwell::natural(const double *point, double time) const
 {
-  if (law_ == RATIO) return variable_value_;
-  if (law_ == DIAMETER) return variable_value_ / point[FixObjects::DIAMETER];
-  return linear_.diameter(point[FixObjects::START_DIAMETER], time - point[FixObjects::START_TIME]) / point[FixObjects::DIAMETER];
+  const double start = point[FixObjects::START_DIAMETER], t = elapsed(point, time), made = point[FixObjects::DIAMETER];
+  const double diameter = script_.law ? script_.law->diameter(start, t) : script_.size_is_ratio ? variable_value_ * made : variable_value_;
+  const double lambda = scattered(point, diameter) / made;
+  return {.lambda = lambda, .mass = mass_ratio(point, lambda), .settled = script_.law && script_.law->settled(start, t)};
 }
 
-void FixSwell::grow(int from, int to)
+/* ----------------------------------------------------------------------
+   mass over that at creation, per unit depth: constant density, or
+   m = m0 + rho_w (A - A0) with the area A of the disc of the same area
+------------------------------------------------------------------------- */
+
+double FixSwell::water_ratio(const double *point) const
 {
+  const double made = point[FixObjects::DIAMETER];
+  return script_.water_density * std::numbers::pi / 4.0 * made * made / point[FixObjects::OBJECT_MASS];
+}
+
+double FixSwell::mass_ratio(const double *point, double lambda) const
+{
+  const double area_ratio = lambda * lambda;
+  return script_.drinks ? 1.0 + water_ratio(point) * (area_ratio - 1.0) : area_ratio;
+}
+
+/* ----------------------------------------------------------------------
+   returns whether all these points keep their size from now on. `all`:
+   also what follows from a size that has not changed.
+------------------------------------------------------------------------- */
+
+bool FixSwell::grow(int from, int to, bool all)
+{
+  if (from == to) return true;
   swellflow::StepClock::Scope timing(objects_->clock(), swellflow::StepClock::swelling);
   double **points = objects_->points();
   const double t = time();
+  const double *like = nullptr;  // the point that `now` is of: neighbours in memory belong to one object, or to objects that began alike
+  Natural now{};
+  bool all_settled = true;
   for (int i = from; i < to; i++) {
-    if (!(atom->mask[i] & groupbit) || !objects_->is_point(i)) continue;
-    const double lambda = natural_lambda(points[i], t);
-    points[i][FixObjects::LAMBDA] = lambda;
-    atom->radius[i] = lambda * points[i][FixObjects::CDS_RADIUS];
-    atom->rmass[i] = lambda * lambda * points[i][FixObjects::MASS];  // per unit depth, at constant density
+    double *point = points[i];
+    if (!(atom->mask[i] & groupbit) || point[FixObjects::RING_POINTS] == 0.0) continue;
+    if (!like || !starts_alike(like, point)) now = natural(point, t);
+    like = point;
+    all_settled = all_settled && now.settled;
+    if (!all && now.lambda == point[FixObjects::LAMBDA]) continue;
+    point[FixObjects::LAMBDA] = now.lambda;
+    atom->radius[i] = now.lambda * point[FixObjects::CDS_RADIUS];
+    atom->rmass[i] = now.mass * point[FixObjects::MASS];
   }
+  return all_settled;
+}
+
+/* ----------------------------------------------------------------------
+   Under load an object's clock runs at the speed (1 - p/P)^N of its mean
+   contact pressure p: the time that it loses over the next step is added
+   to its START_TIME. Own points get it from the one rank that owns the hub.
+------------------------------------------------------------------------- */
+
+double FixSwell::speed(double pressure) const
+{
+  return std::pow(std::clamp(1.0 - pressure / script_.swelling_pressure, 0.0, 1.0), script_.load_exponent);
+}
+
+void FixSwell::end_of_step() { measure_speeds(); }
+
+void FixSwell::measure_speeds()
+{
+  const ContactForces contacts(lmp);
+  speeds_.assign(atom->nlocal + atom->nghost, 1.0);
+  for (const ObjectPoints &object : objects_->objects())
+    if ((atom->mask[object.hub] & groupbit) && objects_->owns(object)) speeds_[objects_->own_index(object.hub)] = speed(contacts.pressure(object));
+  objects_->send_to_ghosts(speeds_.data(), 1);
+}
+
+/* ----------------------------------------------------------------------
+   atoms have not been renumbered since the speeds were measured
+------------------------------------------------------------------------- */
+
+void FixSwell::pre_initial_integrate()
+{
+  for (const ObjectPoints &object : objects_->objects()) {
+    const double lost = (1.0 - speeds_[object.hub]) * update->dt;
+    if (lost == 0.0) continue;
+    for_each_point(object, [&](int i) {
+      if (const int own = objects_->own_index(i); own >= 0) objects_->points()[own][FixObjects::START_TIME] += lost;
+    });
+  }
+}
+
+void FixSwell::tell_ghosts_their_starts()
+{
+  const int n_own = atom->nlocal, n = n_own + atom->nghost;
+  double **points = objects_->points();
+  sent_.resize(n);
+  for (int i = 0; i < n_own; i++) sent_[i] = points[i][FixObjects::START_TIME];
+  objects_->send_to_ghosts(sent_.data(), 1);
+  for (int i = n_own; i < n; i++) points[i][FixObjects::START_TIME] = sent_[i];
 }
 
 /* ----------------------------------------------------------------------
@@ -196,55 +269,5 @@ void FixSwell::restart(char *buffer)
 {
   const auto *state = reinterpret_cast<const double *>(buffer);
   clock_ = {.base_time = state[0], .base_step = static_cast<long>(state[1]), .step_length = state[2]};
+  restored_ = true;
 }
-
-/* ----------------------------------------------------------------------
-   values for thermo
-------------------------------------------------------------------------- */
-
-void FixSwell::add_object(const ObjectPoints &object, double *sums, double *extremes) const
-{
-  const double *hub = atom->x[object.hub], *point = objects_->points()[object.hub];
-  std::vector<Vector2> ring;
-  double distance = 0.0;
-  for (int k = 0; k < object.n_ring; k++) {
-    const double *x = atom->x[object.ring[k]];
-    ring.emplace_back(x[0] - hub[0], x[1] - hub[1]);
-    distance += ring.back().norm();
-  }
-  const double natural = point[FixObjects::LAMBDA] * point[FixObjects::DIAMETER];
-  const swellflow::OutlineShape shape = swellflow::outline_shape(ring);
-  const double natural_area = point[FixObjects::NATURAL_AREA] * point[FixObjects::LAMBDA] * point[FixObjects::LAMBDA];
-  const double area_ratio = shape.area / natural_area;
-  sums[COUNT] += 1.0;
-  sums[NATURAL] += natural;
-  sums[HUB_DISTANCE] += 2.0 * distance / object.n_ring;
-  sums[OF_AREA] += swellflow::diameter_of_area(shape.area, point[FixObjects::NATURAL_AREA], point[FixObjects::DIAMETER]);
-  sums[ASPECT_RATIO] += shape.aspect_ratio;
-  sums[AREA] += shape.area;
-  extremes[MINUS_AREA_RATIO] = std::max(extremes[MINUS_AREA_RATIO], -area_ratio);
-  extremes[LAMBDA_MAX] = std::max(extremes[LAMBDA_MAX], point[FixObjects::LAMBDA]);
-}
-
-const double *FixSwell::values()
-{
-  if (values_step_ == update->ntimestep) return values_;
-  double sums[N_SUMS] = {}, extremes[N_EXTREMES] = {-1e300, 0.0};
-  const bool current = objects_->current();
-  for (std::size_t k = 0; current && k < objects_->objects().size(); k++) {
-    const ObjectPoints &object = objects_->objects()[k];
-    if (objects_->owns(object) && (atom->mask[object.hub] & groupbit)) add_object(object, sums, extremes);
-  }
-  MPI_Allreduce(MPI_IN_PLACE, sums, N_SUMS, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(MPI_IN_PLACE, extremes, N_EXTREMES, MPI_DOUBLE, MPI_MAX, world);
-  const double n = std::max(sums[COUNT], 1.0), area_ratio = sums[COUNT] > 0.0 ? -extremes[MINUS_AREA_RATIO] : 0.0;
-  const double all[N_VALUES] = {sums[NATURAL] / n, sums[HUB_DISTANCE] / n, sums[OF_AREA] / n, sums[ASPECT_RATIO] / n,
-                                area_ratio,        sums[AREA],             extremes[LAMBDA_MAX], time()};
-  std::copy(all, all + N_VALUES, values_);
-  values_step_ = update->ntimestep;
-  return values_;
-}
-
-double FixSwell::compute_scalar() { return values()[0]; }
-
-double FixSwell::compute_vector(int n) { return values()[n]; }

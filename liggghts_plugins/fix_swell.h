@@ -5,8 +5,7 @@
 
 #include "fix.h"
 #include "fluid_partner.h"
-#include "objects/swelling_laws.h"
-#include "script_value.h"
+#include "swell_script.h"
 
 namespace LAMMPS_NS {
 
@@ -22,8 +21,10 @@ class FixSwell : public Fix {
   void init() override;
   void setup_pre_force(int) override;
   void setup(int) override;
+  void pre_initial_integrate() override;
   void post_integrate() override;
   void pre_force(int) override;
+  void end_of_step() override;
   void reset_dt() override;
   void reset_timestep(bigint) override {}
   void reset_timestep(bigint new_step, bigint old_step) override;
@@ -33,35 +34,59 @@ class FixSwell : public Fix {
   double compute_vector(int) override;
 
   /// Whether growing objects drink the fluid (true) or push it away. Which objects: those of this fix's group.
-  bool absorbs() const { return absorb_; }
+  bool absorbs() const { return script_.absorb; }
 
  private:
-  enum Law { LINEAR, DIAMETER, RATIO };
-  static constexpr int N_VALUES = 8;
+  static constexpr int N_VALUES = 9;
 
-  enum Sum { COUNT, NATURAL, HUB_DISTANCE, OF_AREA, ASPECT_RATIO, AREA, N_SUMS };
+  enum Sum { COUNT, NATURAL, HUB_DISTANCE, OF_AREA, ASPECT_RATIO, AREA, ELAPSED, N_SUMS };
   enum Extreme { MINUS_AREA_RATIO, LAMBDA_MAX, N_EXTREMES };  // of which the largest counts
 
-  void parse(int narg, char **arg);
-  void check_law();
-  void require_one_law_per_object();
-  void start_law();
+  bool is_ours(int i) const;
   double time() const;
+  double elapsed(const double *point, double time) const;
+
+  // fix_swell_checks.cpp
+  void require_one_law_per_object();
+  void forget_starts();
+  void start_law();
+  void require_starts();
+  double scattered(const double *point, double law_diameter) const;
+  double law_diameter_for(const double *point, double natural_diameter) const;
+  double smallest_allowed(const double *point) const;
+  void require_sizes();
+  void find_least_variable();
+  void fail_size(int object, double diameter, double time);
+
+  // growth
+  struct Natural { double lambda, mass; bool settled; };
+  Natural natural(const double *point, double time) const;
+  double water_ratio(const double *point) const;
+  double mass_ratio(const double *point, double lambda) const;
   void evaluate_variable();
-  double natural_lambda(const double *point, double time) const;
-  void grow(int from, int to);
+  bool grow(int from, int to, bool all);
+  bool settled() const;
+
+  // the objects' own clocks under load
+  double speed(double pressure) const;
+  void measure_speeds();
+  void tell_ghosts_their_starts();
+
+  // fix_swell_values.cpp
   void add_object(const swellflow::ObjectPoints &object, double *sums, double *extremes) const;
   const double *values();
 
-  Law law_;
-  bool absorb_;
-  swellflow::LinearSwelling linear_;
-  swellflow::ScriptValue size_;
-  double variable_value_;
+  swellflow::SwellScript script_;
+  double variable_value_, least_variable_;  // which must be larger than this, or an object would vanish:
+  int least_object_;
   swellflow::SwellingClock clock_;
+  bool restored_;
+  bigint own_settled_at_, settled_at_;      // the neighbour lists for which nothing grows any more; -1: none
+  std::vector<double> speeds_;              // of the objects' clocks, at the hubs: from the end of a step to the start of the next
+  std::vector<double> sent_;                // one value an atom, for ghosts
   FixObjects *objects_;
   double values_[N_VALUES];
-  bigint values_step_;  // of values_; -1: none
+  bigint values_step_;                      // of values_; -1: none
 };
 
 }  // namespace LAMMPS_NS

@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "error.h"
 #include "fix.h"
+#include "fix_object_integrator.h"
 #include "fix_property_atom.h"
 #include "lammps.h"
 #include "modify.h"
@@ -15,8 +16,15 @@ using namespace LAMMPS_NS;
 
 bool LAMMPS_NS::knows_fluid_law(const Fix &fix)
 {
-  const char *styles[] = {"nve/cds", "held", "prescribed"};
+  const char *styles[] = {"nve/cds", "rigid/cds", "held", "prescribed"};
   return std::any_of(std::begin(styles), std::end(styles), [&](const char *style) { return strcmp(fix.style, style) == 0; });
+}
+
+bool LAMMPS_NS::solves_springs(const Fix &fix) { return dynamic_cast<const FixObjectIntegrator *>(&fix) != nullptr; }
+
+bool LAMMPS_NS::takes_springs_as_forces(const Fix &fix)
+{
+  return fix.time_integrate && strncmp(fix.style, "nve", 3) == 0 && !solves_springs(fix);
 }
 
 bool LAMMPS_NS::share_atoms(LAMMPS *lmp, const Fix &one, const Fix &other)

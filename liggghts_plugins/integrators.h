@@ -8,6 +8,10 @@ class LAMMPS;
 
 /// Whether a fix moves the points of its group and, while there is a fluid, feels the fluid's law and sums up what impulse it gave.
 bool knows_fluid_law(const Fix &fix);
+/// Whether a fix moves whole objects and takes care of their springs itself, so that these are no forces to it.
+bool solves_springs(const Fix &fix);
+/// Whether a fix moves each point by the forces on it, springs among them.
+bool takes_springs_as_forces(const Fix &fix);
 /// Whether some atom is in the groups of both. Collective.
 bool share_atoms(LAMMPS *lmp, const Fix &one, const Fix &other);
 /// A LIGGGHTS error that names both when another integrator moves a point of this one. Collective.

@@ -1,123 +1,128 @@
 #include "object_list.h"
 
-#include "objects/csv_table.h"
-#include "options.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "shape_options.h"
 
 namespace swellflow {
 
 namespace {
 
-const Range cds_range = Range::above_to(0.0, 0.5);  // a sphere on the outline must not be wider than its object
+using Objects = std::vector<NewObject>;
 
-/// The keywords that say what an object is. Those that a file may give for each object are optional there.
-void read_disk(Arguments &line, NewObject &object, const CsvTable *table = nullptr)
+Objects read_one(ShapeOptions::Kind kind, Arguments &line, const TextReader &read_text)
 {
-  int share = static_cast<int>(object.disk.share);
-  Options options(line.place());
-  options.number("diameter", object.disk.diameter, Range::positive(), "length", "natural diameter");
-  if (!table || !table->has("diameter")) options.required();
-  options.number("density", object.disk.density, Range::positive(), "mass per volume", "density of the object");
-  if (!table || !table->has("density")) options.required();
-  options.integer("points", object.disk.ring_points, Range::at_least(3), "mass points on the ring");
-  options.number("cds", object.disk.cds_ratio, cds_range, "of the diameter", "radius of the contact detection spheres");
-  options.integer("type", object.type, Range::at_least(1), "atom type of all points");
-  options.choice("mass", share, {"hub_half", "equal"}, "how the mass is shared among hub and ring");
-  options.parse(line);
-  object.disk.share = static_cast<MassShare>(share);
-}
-
-std::vector<NewObject> read_one(int narg, char **arg)
-{
-  Arguments line("create_objects disk", narg, arg);
-  NewObject object;
-  object.place = line.place();
-  object.centre.x() = line.number("x");
-  object.centre.y() = line.number("y");
-  read_disk(line, object);
+  ShapeOptions shape(kind, line, read_text);
+  const double x = line.number("x"), y = line.number("y");
+  shape.read(line);
+  NewObject object = shape.object(line.place(), {});
+  object.centre = {x, y};
+  object.diameter *= shape.size_factor(0);
   return {object};
 }
 
 /// Rows along x, from the first object, which is centred at `origin`.
-std::vector<NewObject> read_lattice(int narg, char **arg)
+Objects read_lattice(Arguments &line, const TextReader &read_text)
 {
-  Arguments line("create_objects lattice", narg, arg);
   const int nx = line.integer("objects along x", Range::at_least(1)), ny = line.integer("objects along y", Range::at_least(1));
-  const auto expect = [&](const char *word) {
-    const std::string given = line.word(word);
-    if (given != word) line.fail(std::string("here must stand '") + word + "', but there is '" + given + "': see the page of create_objects");
-  };
-  expect("origin");
   Vector2 origin, spacing;
+  line.expect("origin");
   origin.x() = line.number("origin");
   origin.y() = line.number("origin");
-  expect("spacing");
+  line.expect("spacing");
   spacing.x() = line.number("spacing", Range::positive(), "length");
   spacing.y() = line.next_is_number() ? line.number("spacing", Range::positive(), "length") : spacing.x();
-  expect("disk");
-  NewObject object;
-  object.place = line.place();
-  read_disk(line, object);
+  ShapeOptions shape(static_cast<ShapeOptions::Kind>(line.choice("shape", ShapeOptions::names)), line, read_text);
+  shape.read(line);
+  const NewObject pattern = shape.object(line.place(), {});
 
-  std::vector<NewObject> all;
+  Objects all;
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
-      object.centre = origin + Vector2(i * spacing.x(), j * spacing.y());
-      all.push_back(object);
+      all.push_back(pattern);
+      all.back().centre = origin + Vector2(i * spacing.x(), j * spacing.y());
+      all.back().diameter *= shape.size_factor(all.size() - 1);
     }
   return all;
 }
 
-double checked(const CsvTable &table, const CsvTable::Row &row, const std::string &column, double otherwise, const Range &range)
+std::optional<double> checked(const CsvTable &table, const CsvTable::Row &row, const std::string &column, const Range &range)
 {
-  const double value = table.value(row, column).value_or(otherwise);
-  if (!range.holds(value))
-    throw OptionError(table.place(row) + ": '" + column + "' must be a number " + range.words() + ", but is '" + shown(value) + "': change it");
+  const std::optional<double> value = table.value(row, column);
+  if (value && !range.holds(*value))
+    throw OptionError(table.place(row) + ": '" + column + "' must be a number " + range.words() + ", but is '" + shown(*value) + "': change it");
   return value;
 }
 
-int checked_integer(const CsvTable &table, const CsvTable::Row &row, const std::string &column, int otherwise, const Range &range)
+std::optional<int> checked_integer(const CsvTable &table, const CsvTable::Row &row, const std::string &column, const Range &range)
 {
-  const double value = checked(table, row, column, otherwise, range);
-  if (value != static_cast<int>(value))
-    throw OptionError(table.place(row) + ": '" + column + "' must be a whole number, but is '" + shown(value) + "': change it");
-  return static_cast<int>(value);
+  const std::optional<double> value = checked(table, row, column, range);
+  if (!value) return std::nullopt;
+  if (std::abs(*value) >= 2147483648.0 || *value != std::floor(*value))
+    throw OptionError(table.place(row) + ": '" + column + "' must be a whole number, but is '" + shown(*value) + "': change it");
+  return static_cast<int>(*value);
 }
 
-std::vector<NewObject> read_table(int narg, char **arg, const std::function<std::string(const std::string &)> &read_text)
+Objects read_table(Arguments &line, const TextReader &read_text)
 {
-  Arguments line("create_objects file", narg, arg);
   const std::string file = line.word("file");
-  const CsvTable table(file, read_text(file), {"x", "y", "diameter", "points", "density", "cds", "type"});
+  const CsvTable table(file, read_text(file), {"x", "y", "diameter", "points", "density", "cds", "reach", "angle", "type"});
   for (const char *column : {"x", "y"})
     if (!table.has(column)) throw OptionError(file + " line 1: column '" + column + "' must be there, but is not: add it");
-  NewObject pattern;
-  read_disk(line, pattern, &table);
+  const auto &names = ShapeOptions::names;
+  const bool named = !line.empty() && std::find(names.begin(), names.end(), line.peek()) != names.end();
+  const auto kind = named ? static_cast<ShapeOptions::Kind>(line.choice("shape", names)) : ShapeOptions::DISK;
+  ShapeOptions shape(kind, line, read_text);
+  shape.read(line, &table);
 
-  std::vector<NewObject> all;
+  Objects all;
   for (const CsvTable::Row &row : table.rows()) {
-    NewObject object = pattern;
-    object.place = table.place(row);
-    object.centre = {checked(table, row, "x", 0.0, Range::any()), checked(table, row, "y", 0.0, Range::any())};
-    object.disk.diameter = checked(table, row, "diameter", pattern.disk.diameter, Range::positive());
-    object.disk.density = checked(table, row, "density", pattern.disk.density, Range::positive());
-    object.disk.cds_ratio = checked(table, row, "cds", pattern.disk.cds_ratio, cds_range);
-    object.disk.ring_points = checked_integer(table, row, "points", pattern.disk.ring_points, Range::at_least(3));
-    object.type = checked_integer(table, row, "type", pattern.type, Range::at_least(1));
-    all.push_back(object);
+    const ShapeOptions::Row own{.diameter = checked(table, row, "diameter", Range::positive()),
+                                .density = checked(table, row, "density", Range::positive()),
+                                .angle = checked(table, row, "angle", Range::any()),
+                                .cds = checked(table, row, "cds", cds_range()),
+                                .reach = checked(table, row, "reach", reach_range()),
+                                .points = checked_integer(table, row, "points", points_range(kind)),
+                                .type = checked_integer(table, row, "type", Range::at_least(1))};
+    all.push_back(shape.object(table.place(row), own));
+    all.back().centre = {*checked(table, row, "x", Range::any()), *checked(table, row, "y", Range::any())};
+    all.back().diameter *= shape.size_factor(all.size() - 1);
   }
   return all;
 }
 
 }  // namespace
 
+Vector2 NewObject::placed(const Vector2 &in_shape) const
+{
+  const Vector2 x = diameter * in_shape;
+  if (angle == 0.0) return x;
+  const double turn = angle * std::numbers::pi / 180.0, c = std::cos(turn), s = std::sin(turn);
+  return {c * x.x() - s * x.y(), s * x.x() + c * x.y()};
+}
+
+Footprint NewObject::footprint() const
+{
+  Footprint footprint{{centre, 0.5 * diameter}, {}};
+  if (shape->is_round) return footprint;
+  footprint.circle.radius = 0.0;
+  for (const Vector2 &vertex : shape->outline) {
+    footprint.outline.push_back(placed(vertex));
+    footprint.circle.radius = std::max(footprint.circle.radius, footprint.outline.back().norm());
+  }
+  return footprint;
+}
+
 std::vector<NewObject> read_object_list(int narg, char **arg, const std::function<std::string(const std::string &)> &read_text)
 {
-  Arguments line("create_objects", std::min(narg, 1), arg);
-  switch (line.choice("form", {"disk", "lattice", "file"})) {
-    case 0: return read_one(narg - 1, arg + 1);
-    case 1: return read_lattice(narg - 1, arg + 1);
-    default: return read_table(narg - 1, arg + 1, read_text);
-  }
+  const std::vector<std::string> forms = {"disk", "ellipse", "outline", "lattice", "file"};
+  const int form = Arguments("create_objects", std::min(narg, 1), arg).choice("form", forms);
+  Arguments line("create_objects " + forms[form], narg - 1, arg + 1);
+  if (forms[form] == "lattice") return read_lattice(line, read_text);
+  if (forms[form] == "file") return read_table(line, read_text);
+  return read_one(static_cast<ShapeOptions::Kind>(form), line, read_text);
 }
 
 }  // namespace swellflow

@@ -5,9 +5,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_objects.h"
-#include "force.h"
 #include "modify.h"
-#include "neighbor.h"
 
 using namespace LAMMPS_NS;
 
@@ -70,20 +68,4 @@ void FixObjects::require_whole_objects(const Fix &asking) const
                                 std::to_string(torn_anywhere) + ": make the group from molecule ids";
     error->fix_error(FLERR, const_cast<Fix *>(&asking), message.c_str());
   }
-}
-
-/* ----------------------------------------------------------------------
-   neighbouring spheres of a ring overlap by design
-------------------------------------------------------------------------- */
-
-void FixObjects::require_exclusion()
-{
-  if (!force->pair || neighbor->exclude_setting()) return;
-  int touching = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (is_point(i) && points()[i][INDEX] >= 0.0) touching |= points()[i][RING_LENGTH] < 2.0 * points()[i][CDS_RADIUS];
-  MPI_Allreduce(MPI_IN_PLACE, &touching, 1, MPI_INT, MPI_MAX, world);
-  if (touching)
-    error->fix_error(FLERR, this, "spheres of one object must not push each other apart, but they overlap and no pairs are excluded: "
-                                  "add 'neigh_modify exclude molecule all'");
 }

@@ -125,6 +125,12 @@ int Arguments::choice(const std::string &what, const std::vector<std::string> &c
   return static_cast<int>(found - choices.begin());
 }
 
+void Arguments::expect(const std::string &wanted)
+{
+  const std::string given = word(wanted);
+  if (given != wanted) fail("here must stand '" + wanted + "', but there is '" + given + "': change it");
+}
+
 Options &Options::add(const std::string &name, const std::string &range, const std::string &words,
                       const std::function<void(Arguments &)> &read)
 {
@@ -223,7 +229,7 @@ void Options::parse(Arguments &arguments)
   }
   for (const Option &option : options_)
     if (option.required && !option.given)
-      arguments.fail("keyword '" + option.name + "' is missing: add '" + option.name + "' with " + option.range + ", " + option.words);
+      arguments.fail("keyword '" + option.name + "' is missing: add '" + option.name + "' with " + option.range + (option.range.empty() ? "" : ", ") + option.words);
 }
 
 bool Options::given(const std::string &name) const

@@ -50,6 +50,8 @@ public:
   bool yes_no(const std::string &what);
   /// The position of the next word among `choices`.
   int choice(const std::string &what, const std::vector<std::string> &choices);
+  /// Takes a word that must stand here.
+  void expect(const std::string &word);
   const std::string &place() const { return place_; }
   [[noreturn]] void fail(const std::string &message) const;  ///< adds the place
 

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "fluid_partner.h"
+#include "objects/measures.h"
 
 namespace swellflow {
 
 struct OutputOptions {
   std::string folder = "post";
   std::vector<std::string> fields;  ///< names of FluidPartner::fields()
-  bool outline = false, points = false, cds = false;
+  bool outline = false, points = false, cds = false, centres = false;
   std::string units = "si";         ///< LIGGGHTS' units style: it names the units in the files
 };
 
@@ -23,6 +24,7 @@ struct OutputFrame {
   double time = 0.0;
   std::vector<ObjectPoints> objects;     ///< to be written by this rank
   std::vector<double> velocity, force;   ///< three values a point, own points and then ghosts, all at `time`
+  std::vector<ObjectMeasures> measures;  ///< of the objects to be written by this rank, when OutputOptions::centres
   const FluidPartner *fluid = nullptr;   ///< null in a scene without one
 };
 

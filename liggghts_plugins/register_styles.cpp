@@ -11,10 +11,12 @@
 #include "fix.h"
 #include "fix_fluid_ib.h"
 #include "fix_mass_spring.h"
-#include "fix_nve_cds.h"
+#include "fix_nve_cds_implicit.h"
 #include "fix_objects.h"
+#include "fix_output_objects.h"
 #include "fix_output_vtk.h"
 #include "fix_prescribed.h"
+#include "fix_rigid_cds.h"
 #include "fix_swell.h"
 #include "input.h"
 #include "lammps.h"
@@ -61,10 +63,12 @@ const FixMap &fix_styles()
     {"objects", create_fix<FixObjects>},
     {"mass_spring", create_fix<FixMassSpring>},
     {"swell", create_fix<FixSwell>},
-    {"nve/cds", create_fix<FixNveCds>},
+    {"nve/cds", create_nve_cds},
+    {"rigid/cds", create_fix<FixRigidCds>},
     {"held", create_fix<FixPrescribed>},
     {"prescribed", create_fix<FixPrescribed>},
     {"fluid/ib", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixFluidIb(lmp, narg, arg, factories_of(lmp).fluid); }},
+    {"output/objects", create_fix<FixOutputObjects>},
     {"output/vtk", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixOutputVtk(lmp, narg, arg, factories_of(lmp).output); }},
   };
   return styles;

@@ -83,9 +83,14 @@ def flow_cylinder_shedding():
     return all_of("cylinder", [("cylinder", "re100", {"re": 100, "cells": 32})])
 
 
+def hydrogel():
+    return all_of("hydrogel", [("hydrogel", form, {"law": form}) for form in ("printed", "reconstructed")])
+
+
 PARTS = {
     "cavity_stiff": (cavity_stiff, "the paper's cavity with k_s = 1000, to t = 110"),
     "cavity_soft": (cavity_soft, "the paper's cavity with k_s = 100, to t = 110"),
+    "hydrogel": (hydrogel, "the paper's bead over 9.7 hours, by both forms of its law"),
     "flow_cavity": (flow_cavity, "lid-driven cavity, Re 10 to 1000, against published extrema"),
     "flow_channel": (flow_channel, "Poiseuille and Couette, driven in every way, along x and along y"),
     "flow_arrays": (flow_arrays, "creeping flow through square arrays of discs, with refinement and time steps"),

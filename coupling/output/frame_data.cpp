@@ -1,4 +1,4 @@
-// Builders of the four data sets.
+// Builders of the data sets.
 #include "coupling/output/frame_data.h"
 
 #include <vtkCellArray.h>
@@ -89,11 +89,35 @@ void add_outlines(const std::vector<ObjectState> &objects, vtkPolyData *data)
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> polygons;
   for (const ObjectState &object : objects) {
+    const Vec3 &hub = object.hub.x;
     polygons->InsertNextCell(static_cast<int>(object.ring.size()));
-    for (const PointState &point : object.ring) polygons->InsertCellPoint(points->InsertNextPoint(point.x.data()));
+    for (const Vector2 &vertex : object.outline())
+      polygons->InsertCellPoint(points->InsertNextPoint(hub[0] + vertex.x(), hub[1] + vertex.y(), hub[2]));
   }
   data->SetPoints(points);
   data->SetPolys(polygons);
+}
+
+void attach_measure(const std::vector<ObjectMeasures> &objects, const char *name, const std::string &unit, ObjectMeasures::Plane ObjectMeasures::*vector,
+                    vtkDataSetAttributes *to)
+{
+  Doubles column(name, 3, unit);
+  for (const ObjectMeasures &object : objects) column.add(Vec3{(object.*vector)[0], (object.*vector)[1], 0.0});
+  column.attach(to);
+}
+
+void attach_measure(const std::vector<ObjectMeasures> &objects, const char *name, const std::string &unit, double ObjectMeasures::*value, vtkDataSetAttributes *to)
+{
+  Doubles column(name, 1, unit);
+  for (const ObjectMeasures &object : objects) column.add(object.*value);
+  column.attach(to);
+}
+
+void attach_measure(const std::vector<ObjectMeasures> &objects, const char *name, const std::string &unit, int ObjectMeasures::*number, vtkDataSetAttributes *to)
+{
+  Integers column(name, 1, unit);
+  for (const ObjectMeasures &object : objects) column.add(object.*number);
+  column.attach(to);
 }
 
 FieldInfo find_field(const FluidPartner &fluid, const std::string &name)
@@ -199,6 +223,23 @@ vtkSmartPointer<vtkPolyData> cds_data(const std::vector<ObjectState> &objects, c
   auto data = vertices.data();
   for (const Integers *column : {&id, &tag, &hub}) column->attach(data->GetPointData());
   radius.attach(data->GetPointData());
+  stamp(data, when);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> centre_data(const std::vector<ObjectMeasures> &objects, const UnitNames &units, FrameTime when)
+{
+  Vertices vertices;
+  Integers id("object_id", 1, "");
+  for (const ObjectMeasures &object : objects) {
+    vertices.add({object.centroid[0], object.centroid[1], 0.0});
+    id.add(object.id);
+  }
+  auto data = vertices.data();
+  id.attach(data->GetPointData());
+  for_each_measure(units, [&](const char *name, const std::string &unit, auto member) {
+    attach_measure(objects, name, unit, member, data->GetPointData());
+  });
   stamp(data, when);
   return data;
 }

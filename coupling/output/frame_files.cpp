@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coupling/output/collective.h"
+#include "liggghts_plugins/collective.h"
 #include "coupling/output/quiet_vtk.h"
 
 namespace swellflow {

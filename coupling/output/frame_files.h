@@ -13,7 +13,7 @@ namespace swellflow {
 
 struct FrameName {
   std::filesystem::path folder;
-  std::string set;  ///< "fields", "outline", "points" or "cds"
+  std::string set;  ///< "fields", "outline", "points", "cds" or "centres"
   long step;
 };
 

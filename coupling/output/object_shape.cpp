@@ -1,7 +1,6 @@
 // The copy out of LIGGGHTS' arrays, and sums over an object's points.
 #include "coupling/output/object_shape.h"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "library.h"
@@ -52,7 +51,9 @@ PointState point_state(const Arrays &arrays, const OutputFrame &frame, int i)
     point.force[d] = frame.force.at(3 * i + d);
   }
   point.mass = arrays.rmass[i];
-  point.cds_radius = arrays.object_point[i][Column::CDS_RADIUS] > 0.0 ? arrays.radius[i] : 0.0;
+  const double *column = arrays.object_point[i];
+  point.cds_radius = column[Column::HAS_CDS] != 0.0 ? arrays.radius[i] : 0.0;
+  point.outline_offset = column[Column::LAMBDA] * column[Column::OUTLINE_OFFSET];
   point.tag = arrays.tag[i];
   return point;
 }
@@ -79,18 +80,20 @@ Vec3 ObjectState::outer_force() const
   return sum_over_points(*this, [](const PointState &p) { return p.force; });
 }
 
-OutlineShape ObjectState::shape() const
+std::vector<Vector2> ObjectState::outline() const
 {
   std::vector<Vector2> outline;
   outline.reserve(ring.size());
-  for (const PointState &p : ring) outline.emplace_back(p.x[0] - hub.x[0], p.x[1] - hub.x[1]);
-  return outline_shape(outline);
+  for (const PointState &p : ring) outline.push_back(outline_point({p.x[0] - hub.x[0], p.x[1] - hub.x[1]}, p.outline_offset));
+  return outline;
 }
+
+OutlineShape ObjectState::shape() const { return outline_shape(outline()); }
 
 double ObjectState::mean_diameter() const
 {
   double sum = 0.0;
-  for (const PointState &p : ring) sum += std::hypot(p.x[0] - hub.x[0], p.x[1] - hub.x[1]);
+  for (const Vector2 &vertex : outline()) sum += vertex.norm();
   return 2.0 * sum / static_cast<double>(ring.size());
 }
 

@@ -14,6 +14,7 @@ using Vec3 = std::array<double, 3>;
 struct PointState {
   Vec3 x{}, velocity{}, force{};
   double mass = 0.0, cds_radius = 0.0;  ///< radius 0: no contact-detection sphere
+  double outline_offset = 0.0;          ///< by which the outline lies beyond a ring point, away from the hub
   int tag = 0;
 };
 
@@ -26,8 +27,9 @@ struct ObjectState {
   double mass() const;
   Vec3 velocity() const;      ///< of the centre of mass
   Vec3 outer_force() const;   ///< sum over the points: springs cancel; contacts, walls and weight stay
-  double mean_diameter() const;  ///< twice the mean distance of the ring points from the hub (Guinea et al. 2022, section 3.1)
-  OutlineShape shape() const;    ///< of the polygon of ring points
+  std::vector<Vector2> outline() const;  ///< its vertices, from the hub
+  double mean_diameter() const;  ///< twice the mean distance of the outline from the hub (Guinea et al. 2022, section 3.1)
+  OutlineShape shape() const;    ///< of the outline
 };
 
 /// Per-atom arrays through LIGGGHTS' library interface; taken anew for each frame because LIGGGHTS moves them.

@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "coupling/output/collective.h"
+#include "liggghts_plugins/collective.h"
 #include "coupling/output/frame_data.h"
 #include "coupling/output/frame_files.h"
 #include "coupling/output/pvd_collection.h"
@@ -65,6 +65,7 @@ private:
     if (options_.outline) names.push_back("outline");
     if (options_.points) names.push_back("points");
     if (options_.cds) names.push_back("cds");
+    if (options_.centres) names.push_back("centres");
     return names;
   }
 
@@ -94,12 +95,12 @@ private:
   {
     std::vector<ObjectState> objects;
     all_or_none(comm_, [&] { objects = object_states(lammps_, frame); });
-    const auto write_set = [&](const char *set, auto data_of) {
-      files[set] = write_poly_data(comm_, {folder_, set, frame.step}, data_of(objects, units_, when));
-    };
+    const auto write_data = [&](const char *set, vtkPolyData *data) { files[set] = write_poly_data(comm_, {folder_, set, frame.step}, data); };
+    const auto write_set = [&](const char *set, auto data_of) { write_data(set, data_of(objects, units_, when)); };
     if (options_.outline) write_set("outline", outline_data);
     if (options_.points) write_set("points", point_data);
     if (options_.cds) write_set("cds", cds_data);
+    if (options_.centres) write_data("centres", centre_data(frame.measures, units_, when));
   }
 
   /// Only now, with all files complete on all ranks, does the frame exist for a reader.

@@ -5,9 +5,16 @@
 #include <numbers>
 #include <vector>
 
-#include "disk.h"
+#include "vector2.h"
 
 namespace swellflow {
+
+/// The vertex of the outline that lies `offset` beyond a ring point, away from the hub.
+inline Vector2 outline_point(const Vector2 &from_hub, double offset)
+{
+  const double distance = from_hub.norm();
+  return distance == 0.0 ? from_hub : Vector2(from_hub * (1.0 + offset / distance));
+}
 
 struct OutlineShape {
   double area = 0.0;          ///< signed: negative when the outline is turned inside out

@@ -68,6 +68,14 @@ private:
   std::vector<std::vector<int>> members_;
 };
 
+double depth_of(const Footprint &a, const Footprint &b, const Vector2 &from_a_to_b)
+{
+  if (a.outline.empty() && b.outline.empty()) return a.circle.radius + b.circle.radius - from_a_to_b.norm();
+  if (a.outline.empty()) return overlap_depth(b.outline, a.circle.radius, -from_a_to_b);
+  if (b.outline.empty()) return overlap_depth(a.outline, b.circle.radius, from_a_to_b);
+  return overlap_depth(a.outline, b.outline, from_a_to_b);
+}
+
 }  // namespace
 
 Vector2 PlaneBox::difference(const Vector2 &a, const Vector2 &b) const
@@ -78,17 +86,28 @@ Vector2 PlaneBox::difference(const Vector2 &a, const Vector2 &b) const
   return d;
 }
 
-std::optional<Overlap> deepest_overlap(const std::vector<Circle> &circles, int first_new, const PlaneBox &box)
+void for_each_overlapping_pair(const std::vector<Circle> &circles, int first_new, const PlaneBox &box,
+                               const std::function<void(int, int, const Vector2 &)> &visit)
 {
   const Cells cells(circles, box);
-  std::optional<Overlap> deepest;
-  for (int i = first_new; i < static_cast<int>(circles.size()); ++i)
-    cells.visit_around(circles[i].centre, [&](int j) {
-      if (j >= i) return;
+  for (int j = first_new; j < static_cast<int>(circles.size()); ++j)
+    cells.visit_around(circles[j].centre, [&](int i) {
+      if (i >= j) return;
       const double reach = circles[i].radius + circles[j].radius;
-      const double depth = reach - box.difference(circles[i].centre, circles[j].centre).norm();
-      if (depth > touching * reach && (!deepest || depth > deepest->depth)) deepest = Overlap{j, i, depth};
+      const Vector2 way = box.difference(circles[j].centre, circles[i].centre);
+      if (reach - way.norm() > touching * reach) visit(i, j, way);
     });
+}
+
+std::optional<Overlap> deepest_overlap(const std::vector<Footprint> &objects, int first_new, const PlaneBox &box)
+{
+  std::vector<Circle> circles;
+  for (const Footprint &object : objects) circles.push_back(object.circle);
+  std::optional<Overlap> deepest;
+  for_each_overlapping_pair(circles, first_new, box, [&](int i, int j, const Vector2 &way) {
+    const double depth = depth_of(objects[i], objects[j], way);
+    if (depth > touching * (circles[i].radius + circles[j].radius) && (!deepest || depth > deepest->depth)) deepest = Overlap{i, j, depth};
+  });
   return deepest;
 }
 

@@ -1,17 +1,24 @@
-// Which circles overlap, in a box that may be periodic; free of LIGGGHTS.
+// Which objects overlap, in a box that may be periodic; free of LIGGGHTS.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
-#include "disk.h"
+#include "polygon.h"
 
 namespace swellflow {
 
 struct Circle {
   Vector2 centre;
   double radius;
+};
+
+/// What an object covers: the polygon, given about the centre of the circle that holds it; none: the circle itself.
+struct Footprint {
+  Circle circle;
+  Polygon outline;
 };
 
 struct PlaneBox {
@@ -28,7 +35,12 @@ struct Overlap {
   double depth;
 };
 
-/// The deepest overlap of a circle numbered `first_new` or above with any other; touching is no overlap. Linear in the number of circles.
-std::optional<Overlap> deepest_overlap(const std::vector<Circle> &circles, int first_new, const PlaneBox &box);
+/// visit(i, j, way from i to j), i < j, for the pairs of circles that overlap of which one is numbered `first_new` or above; touching is no overlap. Linear in the
+/// number of circles.
+void for_each_overlapping_pair(const std::vector<Circle> &circles, int first_new, const PlaneBox &box,
+                               const std::function<void(int, int, const Vector2 &)> &visit);
+
+/// The deepest overlap of an object numbered `first_new` or above with any other.
+std::optional<Overlap> deepest_overlap(const std::vector<Footprint> &objects, int first_new, const PlaneBox &box);
 
 }  // namespace swellflow

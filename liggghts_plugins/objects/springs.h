@@ -1,11 +1,10 @@
 // Springs and dashpots between the points of an object; free of LIGGGHTS.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "disk.h"
+#include "vector2.h"
 
 namespace swellflow {
 
@@ -16,17 +15,12 @@ inline double damping_ratio(double restitution)
   return ln_e / std::sqrt(std::numbers::pi * std::numbers::pi + ln_e * ln_e);
 }
 
-struct SpringLaw {
-  double stiffness = 0.0;  ///< k_s, force per length and unit depth
-  double damping = 0.0;    ///< zeta
-
-  /// c = 2 zeta sqrt(m k), m the reduced mass of the pair. Eq. (4) of Guinea, Toriu and Ushijima (2022) has one point's mass
-  /// there, which gives the asked restitution only for a point on a fixed anchor.
-  double dashpot(double mass_a, double mass_b) const
-  {
-    return 2.0 * damping * std::sqrt(stiffness * mass_a * mass_b / (mass_a + mass_b));
-  }
-};
+/// c = 2 zeta sqrt(m k), m the reduced mass of the pair. Eq. (4) of Guinea, Toriu and Ushijima (2022) has one point's mass there, which gives the asked restitution
+/// only for a point on a fixed anchor.
+inline double dashpot_constant(double damping_ratio, double stiffness, double mass_a, double mass_b)
+{
+  return 2.0 * damping_ratio * std::sqrt(stiffness * mass_a * mass_b / (mass_a + mass_b));
+}
 
 /// From B to A. Two points on one spot have no direction between them, and no force.
 inline Vector2 direction(const Vector2 &X_A, const Vector2 &X_B)
@@ -49,23 +43,6 @@ inline Vector2 dashpot_force(const Vector2 &X_A, const Vector2 &X_B, const Vecto
 {
   const Vector2 n = direction(X_A, X_B);
   return -c * (U_A - U_B).dot(n) * n;
-}
-
-/// Visits every spring of a ring with a hub once: visit(a, b, is_spoke), ring points 0 .. N-1, the hub is -1.
-template <typename Visit>
-void for_each_spring(int ring_points, const Visit &visit)
-{
-  for (int k = 0; k < ring_points; ++k) {
-    visit(k, k + 1 < ring_points ? k + 1 : 0, false);
-    visit(k, -1, true);
-  }
-}
-
-/// Bound of omega^2 of a ring with a hub, all springs of stiffness k: 4 k/m of the ring's zigzag, or the hub against its
-/// ring, (1 + N m / (2 m_hub)) k/m, which is up to 1.1 % short. An explicit step is stable for dt < 2 / omega.
-inline double largest_omega_squared(double k, int ring_points, double ring_point_mass, double hub_mass)
-{
-  return k / ring_point_mass * std::max(4.0, 1.02 * (1.0 + 0.5 * ring_points * ring_point_mass / hub_mass));
 }
 
 }  // namespace swellflow

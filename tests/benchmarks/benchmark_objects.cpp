@@ -2,7 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include "liggghts_plugins/objects/outline.h"
-#include "liggghts_plugins/objects/springs.h"
+#include "tests/unit/ring_object.h"
+
+#include "liggghts_plugins/objects/implicit_springs.h"
 
 #include <vector>
 
@@ -18,41 +20,54 @@ void per_item(benchmark::State &state, const char *name, double items)
 }
 
 /// 1000 discs, a little deformed.
-std::vector<std::vector<Vector2>> rings()
+std::vector<PointBody> bodies()
 {
-  const Disk disk{.diameter = 0.12, .ring_points = ring_points, .density = 1500.0};
-  std::vector<std::vector<Vector2>> all(1000);
+  const swellflow_test::RingObject object{.diameter = 0.12, .mass = 17.0};
+  std::vector<PointBody> all(1000, object.body());
   for (std::size_t o = 0; o < all.size(); ++o)
-    for (int k = 0; k < ring_points; ++k) all[o].push_back(disk.ring_point(k) * (1.0 + 0.01 * std::sin(1.0 * k + o)));
+    for (int k = 0; k < ring_points; ++k) all[o].x[k] *= 1.0 + 0.01 * std::sin(1.0 * k + o);
   return all;
 }
 
 void springs(benchmark::State &state)
 {
-  const Disk disk{.diameter = 0.12, .ring_points = ring_points, .density = 1500.0};
-  const auto all = rings();
-  const Vector2 hub = Vector2::Zero();
+  const auto all = bodies();
+  const SpringSet set = swellflow_test::RingObject{.diameter = 0.12, .mass = 17.0, .law = {.stiffness = 1000.0}}.springs();
   for (auto _ : state) {
-    for (const auto &ring : all) {
+    for (const auto &body : all) {
       Vector2 sum = Vector2::Zero();
-      for_each_spring(ring_points, [&](int a, int b, bool spoke) {
-        sum += spring_force(ring[a], spoke ? hub : ring[b], spoke ? disk.spoke_length() : disk.ring_spring_length(), 1000.0);
-      });
+      for_each_spring(set, [&](int a, int b, const Spring &spring) { sum += spring_force(body.x[a], body.x[b], spring.length, spring.stiffness); });
       benchmark::DoNotOptimize(sum);
     }
   }
   per_item(state, "per_spring", 2.0 * ring_points * all.size());
 }
 
+/// Steps of 5 ms at the stiffness that the argument gives, in a fluid that resists: the discs keep moving.
+void implicit_steps(benchmark::State &state)
+{
+  const SpringSet set = swellflow_test::RingObject{.diameter = 0.12, .mass = 17.0, .law = {.stiffness = static_cast<double>(state.range(0))}}.springs();
+  auto all = bodies();
+  const std::vector<Vector2> none(ring_points + 1, Vector2::Zero());
+  ImplicitSprings solver(SpringEnergy::conserve);
+  long steps = 0;
+  for (auto _ : state)
+    for (auto &body : all) solver.advance(body, set, none, 5e-3), ++steps;
+  per_item(state, "per_point", (ring_points + 1.0) * all.size());
+  state.counters["iterations"] = static_cast<double>(solver.newton_iterations()) / steps;
+}
+
 void outlines(benchmark::State &state)
 {
-  const auto all = rings();
+  auto all = bodies();
+  for (auto &body : all) body.x.pop_back();
   for (auto _ : state)
-    for (const auto &ring : all) benchmark::DoNotOptimize(outline_shape(ring));
+    for (const auto &body : all) benchmark::DoNotOptimize(outline_shape(body.x));
   per_item(state, "per_point", 1.0 * ring_points * all.size());
 }
 
 BENCHMARK(springs)->Unit(benchmark::kMicrosecond);
+BENCHMARK(implicit_steps)->Arg(1000)->Arg(100000000)->Unit(benchmark::kMicrosecond);
 BENCHMARK(outlines)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

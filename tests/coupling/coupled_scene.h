@@ -20,13 +20,15 @@ public:
     const std::string gap = std::to_string(1.0 / side), first = std::to_string(0.5 / side);
     script("create_objects lattice " + std::to_string(side) + " " + std::to_string(side) + " origin " + first + " " + first + " spacing " + gap +
            " disk diameter " + std::to_string(diameter) + " points " + std::to_string(points) + " density " + std::to_string(density) + " cds 0.2 type 1\n");
-    script("fix springs all mass_spring stiffness " + std::to_string(stiffness) + " restitution 1.0\nfix move all nve/cds\nfix flat all enforce2d\n");
+    script("fix springs all mass_spring stiffness " + std::to_string(stiffness) + " restitution 1.0\nfix move all " + integrator + "\nfix flat all enforce2d\n");
     script("fix water all fluid/ib cells " + std::to_string(cells) + " " + std::to_string(cells) + " density 1000 viscosity 0.01 every " +
            std::to_string(every) + " wall yhi velocity 0.1 0\n");
     char step[64];
     std::snprintf(step, sizeof step, "timestep %.17g\n", fluid_step / every);
     script(step);
   }
+
+  std::string integrator = "nve/cds";  ///< of the objects in cavity()
 
   double water(int n) { return fix("water")->compute_vector(n - 1); }
 

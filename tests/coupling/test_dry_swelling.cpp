@@ -1,10 +1,9 @@
 // Growth inside LIGGGHTS: natural sizes by each law, what follows them, and the values that thermo shows.
 #include <numbers>
 
-#include "dry_scene.h"
+#include "swelling_scene.h"
 
 using namespace swellflow_test;
-using LAMMPS_NS::FixObjects;
 using std::numbers::pi;
 
 namespace {
@@ -16,19 +15,6 @@ void make(DryScene &scene, const std::string &swell, double step = 1e-2)
   scene.box("0 1 0 1");
   scene.script(std::string(disk) + "fix springs all mass_spring stiffness 10 restitution 0.1\nfix move all nve/cds\n" + swell);
   scene.script("timestep " + std::to_string(step) + "\n");
-}
-
-/// lambda x D0 of all own and ghost points.
-void expect_natural_diameter(const DryScene &scene, double wanted, double tolerance)
-{
-  const int all = scene.atom()->nlocal + scene.atom()->nghost;
-  for (int i = 0; i < all; i++) {
-    const double *point = scene.objects()->points()[i];
-    EXPECT_NEAR(point[FixObjects::LAMBDA] * point[FixObjects::DIAMETER], wanted, tolerance);
-    EXPECT_NEAR(scene.atom()->radius[i], point[FixObjects::LAMBDA] * point[FixObjects::CDS_RADIUS], 1e-15);
-    const double mass = point[FixObjects::LAMBDA] * point[FixObjects::LAMBDA] * point[FixObjects::MASS];
-    EXPECT_NEAR(scene.atom()->rmass[i], mass, 1e-12 * mass);
-  }
 }
 
 }  // namespace
@@ -64,6 +50,7 @@ TEST(DrySwelling, TheObjectFollowsItsNaturalSize)
   EXPECT_NEAR(fix->compute_vector(5), 20 * 0.18 * 0.18 / 8 * std::sin(2 * pi / 20), 1e-6);
   EXPECT_NEAR(fix->compute_vector(6), 1.5, 1e-12);
   EXPECT_NEAR(fix->compute_vector(7), 40.0, 1e-9);
+  EXPECT_NEAR(fix->compute_vector(8), 40.0, 1e-9);
 }
 
 TEST(DrySwelling, VariablesGiveDiameterOrRatio)
@@ -78,6 +65,15 @@ TEST(DrySwelling, VariablesGiveDiameterOrRatio)
   make(scene, "variable ratio equal 1+0.01*step\nfix grow all swell ratio v_ratio absorb no\n");
   scene.script("run 30\n");
   expect_natural_diameter(scene, 0.12 * 1.3, 1e-15);
+}
+
+TEST(DrySwelling, AVariableThatNeedsAllRanksIsEvaluatedOnAllToo)
+{
+  DryScene scene;
+  scene.box("0 1 0 1");
+  scene.script("create_objects disk 0.2 0.2 diameter 0.12 points 20 density 1500 cds 0.2\nfix springs all mass_spring stiffness 10\nfix move all nve/cds\n"
+               "compute energy all ke\nvariable size equal 0.12+0*c_energy+0.001*step\nfix grow all swell diameter v_size\ntimestep 1e-3\nrun 30\n");
+  EXPECT_NEAR(natural_diameter(scene, 1), 0.15, 1e-15);
 }
 
 TEST(DrySwelling, RunsInPartsAndStepsOfAnotherLengthGoOn)

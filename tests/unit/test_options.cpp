@@ -102,8 +102,8 @@ TEST(CreateObjectsLine, MakesTheDiscThatItNames)
   const auto objects = made("disk 0.5 0.25 diameter 0.12 points 21 density 1500 cds 0.1 type 2 mass equal");
   ASSERT_EQ(objects.size(), 1u);
   EXPECT_EQ(objects[0].centre, Vector2(0.5, 0.25));
-  EXPECT_EQ(objects[0].disk.ring_points, 21);
-  EXPECT_EQ(objects[0].disk.share, MassShare::equal);
+  EXPECT_EQ(objects[0].shape->ring.size(), 21u);
+  EXPECT_EQ(objects[0].shape->share, MassShare::equal);
   EXPECT_EQ(objects[0].type, 2);
 }
 
@@ -116,8 +116,8 @@ TEST(CreateObjectsLine, LatticeSpacingMayDifferPerDirection)
 TEST(CreateObjectsLine, SaysWhatIsWrong)
 {
   const std::string good = "disk 0.5 0.5 diameter 0.1 density 1000";
-  expect_all(complaint(""), {"create_objects", "not enough arguments", "disk or lattice or file"});
-  expect_all(complaint("ball 0 0"), {"'form' must be disk or lattice or file", "'ball'"});
+  expect_all(complaint(""), {"create_objects", "not enough arguments", "disk or ellipse or outline or lattice or file"});
+  expect_all(complaint("ball 0 0"), {"'form' must be disk or ellipse or outline or lattice or file", "'ball'"});
   expect_all(complaint("disk 0.5"), {"create_objects disk", "not enough arguments for 'y'"});
   expect_all(complaint("disk 0.5 north diameter 1 density 1"), {"'y' must be a number", "'north'"});
   expect_all(complaint("disk 0.5 0.5 density 1000"), {"keyword 'diameter' is missing", "> 0"});
@@ -133,7 +133,7 @@ TEST(CreateObjectsLine, SaysWhatIsWrong)
   expect_all(complaint(good + " cds 0.6"), {"'cds' must be a number in (0, 0.5] (of the diameter)", "'0.6'"});
   expect_all(complaint(good + " type 0"), {"'type' must be a whole number >= 1", "'0'"});
   expect_all(complaint(good + " mass heavy"), {"'mass' must be hub_half or equal", "'heavy'"});
-  expect_all(complaint(good + " colour red"), {"unknown keyword 'colour'", "known are diameter, density, points, cds, type, mass"});
+  expect_all(complaint(good + " colour red"), {"unknown keyword 'colour'", "known are diameter, density, points, angle, spokes, cds, reach, cds_points, hub_cds, type, mass, sizes"});
   expect_all(complaint(good + " points"), {"not enough arguments for 'points'", ">= 3"});
   expect_all(complaint(good + " density 2"), {"keyword 'density' is given twice"});
   expect_all(complaint("lattice 4 0 origin 0 0 spacing 1 disk diameter 0.1 density 1"), {"'objects along y' must be a whole number >= 1"});

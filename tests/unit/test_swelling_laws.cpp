@@ -1,49 +1,144 @@
-// Discs, their growth in time, and what their outline says.
+// The laws by which objects grow and shrink, and their clock.
 #include <gtest/gtest.h>
 
-#include "liggghts_plugins/objects/disk.h"
-#include "liggghts_plugins/objects/outline.h"
-#include "liggghts_plugins/objects/overlap.h"
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
 #include "liggghts_plugins/objects/swelling_laws.h"
 
 using namespace swellflow;
 using std::numbers::pi;
 
-TEST(Disk, HasTheMassAndInertiaOfTheSolidDisc)
-{
-  const Disk disk{.diameter = 0.12, .ring_points = 20, .density = 1500.0};
-  const double M = 1500.0 * pi * 0.0036;
-  EXPECT_NEAR(disk.hub_mass() + 20 * disk.ring_point_mass(), M, 1e-12 * M);
-  EXPECT_NEAR(20 * disk.ring_point_mass() * 0.0036, 0.5 * M * 0.0036, 1e-12 * M) << "the ring must carry M R^2 / 2";
-}
-
-TEST(Disk, EqualSharesAreThePapers)
-{
-  const Disk disk{.diameter = 0.12, .ring_points = 20, .density = 1500.0, .share = MassShare::equal};
-  EXPECT_DOUBLE_EQ(disk.hub_mass(), disk.mass() / 21);
-  EXPECT_DOUBLE_EQ(disk.ring_point_mass(), disk.mass() / 21);
-}
-
-TEST(Disk, HubIsTouchedLast)
-{
-  for (double ratio : {0.05, 0.2, 0.4}) {
-    const Disk disk{.diameter = 1.0, .ring_points = 20, .density = 1.0, .cds_ratio = ratio};
-    // A foreign sphere of the same size that comes in halfway between two ring points touches these when it is this far from the hub.
-    const double half_gap = 0.5 * disk.ring_spring_length(), touch = 2 * disk.cds_radius();
-    const double at_ring = 0.5 * std::cos(pi / 20) + std::sqrt(touch * touch - half_gap * half_gap);
-    EXPECT_GT(at_ring, touch + 0.4) << "the ring must be met before the hub";
-  }
-}
-
 TEST(LinearSwelling, ReachesItsCeilingExactlyAndStays)
 {
-  const LinearSwelling law{.rate = 6e-4, .largest_diameter = 0.18};
+  const LinearSwelling law(6e-4, 0.18);
   EXPECT_EQ(law.diameter(0.12, 0.0), 0.12);
   EXPECT_NEAR(law.diameter(0.12, 50.0), 0.15, 1e-15);
+  EXPECT_FALSE(law.settled(0.12, 50.0));
   EXPECT_EQ(law.diameter(0.12, 100.1), 0.18);
+  EXPECT_TRUE(law.settled(0.12, 100.1));
   EXPECT_EQ(law.diameter(0.12, 1e9), 0.18);
   const double lambda = law.diameter(0.12, 110.0) / 0.12;
   EXPECT_NEAR(lambda * 0.12, 0.18, 1e-16 * 2);
+}
+
+TEST(LinearSwelling, ShrinksToItsFloor)
+{
+  const LinearSwelling law(-6e-4, 0.05);
+  EXPECT_EQ(law.diameter(0.12, 0.0), 0.12);
+  EXPECT_NEAR(law.diameter(0.12, 100.0), 0.06, 1e-15);
+  EXPECT_EQ(law.diameter(0.12, 117.0), 0.05);
+  EXPECT_TRUE(law.settled(0.12, 117.0));
+  EXPECT_EQ(law.smallest_start(), 0.05);
+}
+
+TEST(PolynomialSwelling, IsTheSumOfPowersAndStaysAtItsEnd)
+{
+  const PolynomialSwelling law(SizeKind::diameter, {0.12, 1e-3, -2e-6, 3e-9}, 200.0);
+  const auto D = [](double t) { return 0.12 + 1e-3 * t - 2e-6 * t * t + 3e-9 * t * t * t; };
+  for (double t : {0.0, 1.0, 77.7, 200.0}) EXPECT_NEAR(law.diameter(0.5, t), D(t), 1e-15);
+  EXPECT_EQ(law.diameter(0.5, 300.0), law.diameter(0.5, 200.0));
+  EXPECT_FALSE(law.settled(0.5, 199.0));
+  EXPECT_TRUE(law.settled(0.5, 200.0));
+}
+
+TEST(PolynomialSwelling, AsARatioIsThatOfTheStart)
+{
+  const PolynomialSwelling law(SizeKind::ratio, {1.0, 0.01}, 50.0);
+  EXPECT_DOUBLE_EQ(law.diameter(0.2, 0.0), 0.2);
+  EXPECT_DOUBLE_EQ(law.diameter(0.2, 25.0), 0.25);
+  EXPECT_DOUBLE_EQ(law.diameter(0.4, 1e6), 0.6);
+}
+
+TEST(PolynomialSwelling, SmallestSizeIsThatOfTheDipBetweenTheEnds)
+{
+  const PolynomialSwelling law(SizeKind::diameter, {1.0, -2.0, 1.25}, 2.0);  // least at t = 0.8: 0.2
+  const SmallestSize dip = smallest_size(law, 1.0, 0.0, 5.0);
+  EXPECT_NEAR(dip.elapsed, 0.8, 1e-7);
+  EXPECT_NEAR(dip.diameter, 0.2, 1e-14);
+  EXPECT_NEAR(smallest_size(law, 1.0, 0.0, 0.5).diameter, 0.3125, 1e-14) << "the dip comes later";
+  EXPECT_NEAR(smallest_size(law, 1.0, 1.0, 2.0).elapsed, 1.0, 0.0) << "the dip came before";
+  EXPECT_TRUE(std::isnan(smallest_size(PolynomialSwelling(SizeKind::diameter, {1.0, 1e300, 1e300}, 1e200), 1.0, 0.0, 1e200).diameter));
+}
+
+/// Diameters in mm of eq. (6) of Guinea, Toriu & Ushijima (2022), with the printed coefficients and with the reconstructed ones, in rational arithmetic.
+struct HydrogelRow { double seconds, printed, reconstructed; };
+constexpr HydrogelRow hydrogel_rows[] = {{0, 2.9800000, 2.9776400}, {1800, 6.0378352, 5.7960080}, {3600, 8.2146474, 7.7357441}, {7200, 10.8760888, 9.9339669},
+                                         {14400, 13.2754644, 11.4813539}, {21600, 14.7331029, 12.2590859}, {28800, 15.9194088, 13.0531864}, {34920, 16.3604859, 13.5038701}};
+
+TEST(HydrogelSwelling, HasThePublishedDiametersInTheUnitsOfTheScript)
+{
+  const PolynomialSwelling printed = hydrogel_swelling(HydrogelForm::printed, 1e-3, 1.0);
+  const PolynomialSwelling reconstructed = hydrogel_swelling(HydrogelForm::reconstructed, 0.1, 1e6);
+  for (const auto &row : hydrogel_rows) {
+    EXPECT_NEAR(printed.diameter(1.0, row.seconds), 1e-3 * row.printed, 1e-10) << row.seconds;
+    EXPECT_NEAR(reconstructed.diameter(1.0, 1e6 * row.seconds), 0.1 * row.reconstructed, 1e-8) << row.seconds;
+  }
+  EXPECT_EQ(printed.diameter(1.0, 40000.0), printed.diameter(1.0, 34920.0));
+  EXPECT_NEAR(reconstructed.diameter(1.0, 1e6 * 34920), 0.1 * 13.5, 0.1 * 0.05) << "what the paper's text says";
+}
+
+TEST(HydrogelSwelling, ReconstructedGrowsAllTheTimeAndRoundsToThePrintedDigits)
+{
+  const PolynomialSwelling law = hydrogel_swelling(HydrogelForm::reconstructed, 1.0, 1.0);
+  for (double t = 60.0; t <= 34920.0; t += 60.0) ASSERT_GT(law.diameter(1.0, t), law.diameter(1.0, t - 60.0)) << t;
+  EXPECT_EQ(law.turning_times().size(), 1u) << "only the end";
+  // The two forms differ by no more than what the printed digits leave open.
+  const PolynomialSwelling printed = hydrogel_swelling(HydrogelForm::printed, 1.0, 1.0);
+  const double half[] = {5e-3, 5e-4, 5e-10, 5e-14, 5e-19, 5e-24, 5e-29};
+  for (const auto &row : hydrogel_rows) {
+    double allowed = 0.0;
+    for (int k = 0; k < 7; ++k) allowed += half[k] * std::pow(row.seconds, k);
+    EXPECT_LE(std::abs(law.diameter(1.0, row.seconds) - printed.diameter(1.0, row.seconds)), allowed);
+  }
+}
+
+TEST(TableSwelling, PassesThroughItsPointsAndHoldsBothEnds)
+{
+  const TableSwelling law(SizeKind::ratio, MonotoneCurve({10.0, 20.0, 40.0}, {1.0, 1.5, 2.0}));
+  EXPECT_EQ(law.diameter(0.2, 0.0), 0.2);
+  EXPECT_DOUBLE_EQ(law.diameter(0.2, 20.0), 0.3);
+  EXPECT_EQ(law.diameter(0.2, 41.0), 0.4);
+  EXPECT_FALSE(law.settled(0.2, 39.0));
+  EXPECT_TRUE(law.settled(0.2, 40.0));
+  EXPECT_EQ(TableSwelling(SizeKind::diameter, MonotoneCurve({0.0, 1.0}, {0.3, 0.4})).diameter(7.0, 0.5), 0.35);
+}
+
+/// 1 - (6/pi^2) sum n^-2 exp(-n^2 x) by brute force, for x >= 1e-6.
+double fraction_by_the_series(double x)
+{
+  long double sum = 0.0L;
+  for (int n = 10000; n >= 1; --n) sum += std::exp(-static_cast<long double>(n) * n * x) / (static_cast<long double>(n) * n);
+  return static_cast<double>(1.0L - 6.0L / (std::numbers::pi_v<long double> * std::numbers::pi_v<long double>) * sum);
+}
+
+TEST(TanakaFillmoreSwelling, HasThePublishedFractions)
+{
+  const std::pair<double, double> published[] = {{0.01, 0.1047}, {0.1, 0.3103}, {0.5, 0.6099}, {1.0, 0.7736}, {2.0, 0.9177}};
+  for (const auto &[x, fraction] : published) EXPECT_NEAR(swelling_fraction(x), fraction, 5e-5) << x;
+}
+
+TEST(TanakaFillmoreSwelling, IsTheSeriesToRoundOffAtAllTimes)
+{
+  for (double x : {1e-6, 1e-4, 0.01, 0.3, 0.9, 0.999999, 1.0, 1.000001, 3.0, 10.0, 30.0})
+    EXPECT_NEAR(swelling_fraction(x), fraction_by_the_series(x), 1e-15) << x;
+  EXPECT_NEAR(swelling_fraction(1e-12), 6e-6 / std::pow(pi, 1.5), 1e-12) << "the square root of time";
+  EXPECT_EQ(swelling_fraction(0.0), 0.0);
+  EXPECT_EQ(swelling_fraction(40.0), 1.0);
+}
+
+TEST(TanakaFillmoreSwelling, GoesFromTheStartToTheEnd)
+{
+  const double tau = TanakaFillmoreSwelling::tau_of(0.2, 1e-3);
+  EXPECT_DOUBLE_EQ(tau, 0.01 / (pi * pi * 1e-3));
+  const TanakaFillmoreSwelling growth(0.2, tau), shrinking(0.05, 2.0);
+  EXPECT_EQ(growth.diameter(0.1, 0.0), 0.1);
+  EXPECT_NEAR(growth.diameter(0.1, tau), 0.17736, 5e-6);
+  EXPECT_EQ(growth.diameter(0.1, 41.0 * tau), 0.2);
+  EXPECT_TRUE(growth.settled(0.1, 41.0 * tau));
+  EXPECT_NEAR(shrinking.diameter(0.1, 1.0), 0.1 - 0.05 * 0.6099, 5e-6);
 }
 
 TEST(SwellingClock, CountsOnOverChangesOfTheStep)
@@ -63,74 +158,4 @@ TEST(SwellingClock, TwoPartsAreOne)
   SwellingClock one{.base_time = 0.0, .base_step = 0, .step_length = 5e-3}, two = one;
   for (long step = 0; step < 22000; step += 777) two.change_step_length(step, 5e-3);
   EXPECT_EQ(one.time(22000), two.time(22000));
-}
-
-namespace {
-
-std::vector<Vector2> ellipse(int N, double a, double b, double angle, const Vector2 &centre)
-{
-  std::vector<Vector2> ring;
-  for (int k = 0; k < N; ++k) {
-    const double t = 2 * pi * k / N, x = a * std::cos(t), y = b * std::sin(t);
-    ring.push_back(centre + Vector2(x * std::cos(angle) - y * std::sin(angle), x * std::sin(angle) + y * std::cos(angle)));
-  }
-  return ring;
-}
-
-}  // namespace
-
-TEST(Outline, OfACircleGivesItsDiameterAndNoElongation)
-{
-  for (int N : {3, 4, 20, 70}) {
-    const OutlineShape shape = outline_shape(ellipse(N, 0.09, 0.09, 0.3, {0.01, -0.02}));
-    EXPECT_NEAR(diameter_of_area(shape.area, regular_polygon_area(N, 1.0), 1.0), 0.18, 1e-12);
-    EXPECT_NEAR(shape.aspect_ratio, 1.0, 1e-6);
-  }
-}
-
-TEST(Outline, OfAnEllipseGivesItsAxes)
-{
-  for (double angle : {0.0, 0.4, 1.9}) {
-    const OutlineShape shape = outline_shape(ellipse(20, 0.3, 0.1, angle, {0.05, 0.07}));
-    EXPECT_NEAR(shape.aspect_ratio, 3.0, 1e-9);
-    EXPECT_NEAR(shape.area, 20 * 0.3 * 0.1 / 2 * std::sin(2 * pi / 20), 1e-12);
-  }
-}
-
-TEST(Outline, TurnedInsideOutIsNegative)
-{
-  std::vector<Vector2> ring = ellipse(12, 1, 1, 0, {0, 0});
-  std::reverse(ring.begin(), ring.end());
-  EXPECT_LT(outline_shape(ring).area, 0.0);
-}
-
-TEST(Overlap, IsFoundOnceAcrossPeriodicSidesAndNotForTouching)
-{
-  const PlaneBox box{.low = {0, 0}, .high = {1, 1}, .periodic = {true, false}};
-  EXPECT_FALSE(deepest_overlap({{{0.2, 0.5}, 0.1}, {{0.4, 0.5}, 0.1}}, 0, box));
-  const auto direct = deepest_overlap({{{0.2, 0.5}, 0.1}, {{0.39, 0.5}, 0.1}, {{0.8, 0.8}, 0.05}}, 0, box);
-  ASSERT_TRUE(direct);
-  EXPECT_EQ(direct->first, 0);
-  EXPECT_EQ(direct->second, 1);
-  EXPECT_NEAR(direct->depth, 0.01, 1e-12);
-  EXPECT_TRUE(deepest_overlap({{{0.05, 0.5}, 0.1}, {{0.95, 0.5}, 0.1}}, 0, box));
-  EXPECT_FALSE(deepest_overlap({{{0.5, 0.05}, 0.1}, {{0.5, 0.95}, 0.1}}, 0, box));
-  EXPECT_FALSE(deepest_overlap({{{0.2, 0.5}, 0.1}, {{0.25, 0.5}, 0.1}, {{0.7, 0.5}, 0.1}}, 2, box)) << "old ones are not asked";
-}
-
-TEST(Overlap, AgreesWithAskingEveryPair)
-{
-  const PlaneBox box{.low = {-1, 0}, .high = {3, 2}, .periodic = {true, true}};
-  unsigned seed = 12345;
-  const auto random = [&] { return (seed = seed * 1664525u + 1013904223u) / 4294967296.0; };
-  for (int round = 0; round < 50; ++round) {
-    std::vector<Circle> circles;
-    for (int k = 0; k < 40; ++k) circles.push_back({{-1 + 4 * random(), 2 * random()}, 0.02 + 0.1 * random()});
-    double deepest = 0.0;
-    for (std::size_t i = 0; i < circles.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        deepest = std::max(deepest, circles[i].radius + circles[j].radius - box.difference(circles[i].centre, circles[j].centre).norm());
-    const auto found = deepest_overlap(circles, 0, box);
-    EXPECT_NEAR(found ? found->depth : 0.0, deepest, 1e-12);
-  }
 }

@@ -109,6 +109,55 @@ TEST(ObjectFrames, PointsAndSpheresAreVerticesWithTheirValues)
   });
 }
 
+TEST(ObjectFrames, OutlinesLieBeyondTheRing)
+{
+  Folder folder;
+  ObjectState object = ellipse(1, 0.3, 0.4, 0.2, 0.2);
+  for (PointState &p : object.ring) p.outline_offset = 0.05;
+  EXPECT_NEAR(object.mean_diameter(), 0.5, 1e-12);
+  const std::vector<ObjectState> mine(rank_of_world() == 0 ? 1 : 0, object);
+  const auto file = write_poly_data(MPI_COMM_WORLD, {folder.path, "outline", 3}, outline_data(mine, unit_names("si"), {3, 1.5}));
+  if (rank_of_world() != 0) return;
+  read_poly(folder.path / file, [&](vtkPolyData *data) {
+    ASSERT_EQ(data->GetNumberOfPoints(), 20);
+    for (int i = 0; i < 20; ++i) EXPECT_NEAR(std::hypot(data->GetPoint(i)[0] - 0.3, data->GetPoint(i)[1] - 0.4), 0.25, 1e-12);
+    EXPECT_NEAR(data->GetCellData()->GetArray("area")->GetTuple1(0), 10 * std::sin(2 * std::numbers::pi / 20) * 0.0625, 1e-12);
+  });
+}
+
+TEST(ObjectFrames, CentresCarryAllMeasures)
+{
+  Folder folder;
+  std::vector<ObjectMeasures> mine(2);
+  for (int k = 0; k < 2; ++k) {
+    mine[k].id = 2 * rank_of_world() + 1 + k;
+    mine[k].centroid = {0.1 * mine[k].id, 0.2};
+    mine[k].velocity = {3.0, -1.0 * mine[k].id};
+    mine[k].contact_pressure = 1.0 / mine[k].id;
+    mine[k].coordination = 4;
+  }
+  const auto file = write_poly_data(MPI_COMM_WORLD, {folder.path, "centres", 3}, centre_data(mine, unit_names("si"), {3, 1.5}));
+  if (rank_of_world() != 0) return;
+  read_poly(folder.path / file, [&](vtkPolyData *data) {
+    const int n = 2 * size_of_world();
+    ASSERT_EQ(data->GetNumberOfVerts(), n);
+    const auto array = [&](const char *name) { return data->GetPointData()->GetArray(name); };
+    for (int i = 0; i < n; ++i) {
+      EXPECT_EQ(array("object_id")->GetTuple1(i), i + 1);
+      EXPECT_EQ(data->GetPoint(i)[0], 0.1 * (i + 1));
+      EXPECT_EQ(data->GetPoint(i)[1], 0.2);
+      EXPECT_EQ(array("velocity")->GetComponent(i, 1), -(i + 1));
+      EXPECT_EQ(array("contact_pressure")->GetTuple1(i), 1.0 / (i + 1));
+      EXPECT_EQ(array("coordination")->GetTuple1(i), 4);
+    }
+    for_each_measure({}, [&](const char *name, const std::string &, auto) { EXPECT_NE(array(name), nullptr) << name; });
+    if (size_of_world() == 1) {
+      EXPECT_EQ(unit_of(array("contact_pressure")), "Pa");
+      EXPECT_EQ(unit_of(array("rotation")), "rad");
+    }
+  });
+}
+
 TEST(ObjectFrames, ScenesWithoutObjectsGiveEmptyButReadableSets)
 {
   Folder folder;

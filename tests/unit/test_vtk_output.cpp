@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "coupling/output/collective.h"
+#include "liggghts_plugins/collective.h"
 #include "coupling/output/frame_data.h"
 #include "coupling/output/frame_files.h"
 #include "coupling/output/pvd_collection.h"

@@ -1,5 +1,5 @@
 // Agreement of all ranks on success or failure.
-#include "coupling/output/collective.h"
+#include "collective.h"
 
 #include <stdexcept>
 #include <string>

@@ -1,0 +1,121 @@
+// Values of fix mass_spring for thermo, and the guard on explicit time steps.
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "error.h"
+#include "fix_mass_spring.h"
+#include "fix_objects.h"
+#include "modify.h"
+#include "object_geometry.h"
+#include "objects/vibrations.h"
+#include "options.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using swellflow::ObjectPoints;
+using swellflow::Vector2;
+
+namespace {
+
+Vector2 plane(const double *x) { return {x[0], x[1]}; }
+
+}  // namespace
+
+double FixMassSpring::energy_of(const ObjectPoints &object) const
+{
+  double energy = 0.0;
+  const double *const *x = atom->x;
+  swellflow::for_each_spring(springs_of(object), [&](int k, int other, const swellflow::Spring &spring) {
+    const int a = object.ring[k], b = other == object.n_ring ? object.hub : object.ring[other];
+    const double stretch = (plane(x[a]) - plane(x[b])).norm() - spring.length;
+    energy += 0.5 * spring.stiffness * stretch * stretch;
+  });
+  return energy;
+}
+
+/* ----------------------------------------------------------------------
+   Each spring is counted by the rank of its ring point.
+------------------------------------------------------------------------- */
+
+const FixMassSpring::Totals &FixMassSpring::totals()
+{
+  if (totals_step_ == update->ntimestep) return totals_;
+  double **x = atom->x, **v = atom->v;
+  double sums[2] = {0.0, 0.0}, largest_strain = 0.0;
+  const bool current = objects_->current_everywhere();
+  for (std::size_t k = 0; current && k < objects_->objects().size(); k++) {
+    const ObjectPoints &object = objects_->objects()[k];
+    if (!acts_on(object)) continue;
+    swellflow::for_each_spring(springs_of(object), [&](int i, int other, const swellflow::Spring &spring) {
+      const int a = object.ring[i], b = other == object.n_ring ? object.hub : object.ring[other];
+      if (objects_->own_index(a) < 0) return;
+      const double stretch = (plane(x[a]) - plane(x[b])).norm() - spring.length;
+      sums[0] += 0.5 * spring.stiffness * stretch * stretch;
+      if (spring.length > 0.0) largest_strain = std::max(largest_strain, std::abs(stretch) / spring.length);
+      const double closing = (plane(v[a]) - plane(v[b])).dot(swellflow::direction(plane(x[a]), plane(x[b])));
+      sums[1] += spring.dashpot * closing * closing;
+    });
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, &largest_strain, 1, MPI_DOUBLE, MPI_MAX, world);
+  totals_ = {.energy = sums[0], .largest_strain = largest_strain, .dissipated_power = sums[1],
+             .step_over_limit = current ? step_over_limit().step_over_limit : 0.0};
+  totals_step_ = update->ntimestep;
+  return totals_;
+}
+
+double FixMassSpring::compute_scalar() { return totals().energy; }
+
+double FixMassSpring::compute_vector(int n)
+{
+  const Totals &now = totals();
+  const double values[] = {now.energy, now.largest_strain, now.dissipated_power, now.step_over_limit};
+  return values[n];
+}
+
+/* ----------------------------------------------------------------------
+   The largest frequency of each object as it is: an eigenvalue problem,
+   which is solved only where a bound does not settle it. Collective.
+------------------------------------------------------------------------- */
+
+bool FixMassSpring::moves_explicitly(const ObjectPoints &object) const
+{
+  return gives_forces_to(object) && (atom->mask[object.hub] & explicit_groups_);
+}
+
+FixMassSpring::StepLimit FixMassSpring::step_over_limit() const
+{
+  StepLimit largest;
+  double highest_solved = 0.0;
+  std::vector<Vector2> x;
+  std::vector<double> mass;
+  for (const ObjectPoints &object : objects_->objects()) {
+    if (!objects_->owns(object) || !moves_explicitly(object)) continue;
+    x.clear();
+    mass.clear();
+    for_each_point(object, [&](int i) {
+      x.push_back(plane(atom->x[i]));
+      mass.push_back(atom->rmass[i]);
+    });
+    const swellflow::SpringSet &springs = springs_of(object);
+    const double bound = bound_of_step_over_limit(x, mass, springs, update->dt);
+    if (bound <= largest.step_over_limit || bound <= 1.001 * highest_solved) continue;  // objects are often alike
+    highest_solved = bound;
+    const double here = swellflow::step_over_limit(x, mass, springs, update->dt);
+    if (here > largest.step_over_limit) largest = {here, atom->molecule[object.hub]};
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  return largest;
+}
+
+void FixMassSpring::require_stable_step() const
+{
+  const StepLimit largest = step_over_limit();
+  if (!(largest.step_over_limit >= 1.0)) return;
+  error->fix_error(FLERR, const_cast<FixMassSpring *>(this),
+                   ("an explicit time step must be shorter than 2 over the highest frequency of each object, which is " +
+                    swellflow::rounded(update->dt / largest.step_over_limit) + " for object (molecule) " + std::to_string(largest.object) +
+                    ", but it is " + swellflow::rounded(update->dt) + " at step " + std::to_string(update->ntimestep) +
+                    ": shorten it, or move the objects with 'nve/cds implicit' or 'rigid/cds'").c_str());
+}

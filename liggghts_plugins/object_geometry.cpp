@@ -1,0 +1,21 @@
+#include "object_geometry.h"
+
+#include "atom.h"
+#include "fix_objects.h"
+#include "objects/outline.h"
+
+using namespace LAMMPS_NS;
+using swellflow::Vector2;
+
+std::vector<Vector2> LAMMPS_NS::outline_of(LAMMPS *lmp, const swellflow::ObjectPoints &object)
+{
+  double **points = find_objects(lmp)->points(), **x = lmp->atom->x;
+  const double *hub = x[object.hub];
+  std::vector<Vector2> outline(object.n_ring);
+  for (int k = 0; k < object.n_ring; k++) {
+    const int i = object.ring[k];
+    const Vector2 from_hub(x[i][0] - hub[0], x[i][1] - hub[1]);
+    outline[k] = swellflow::outline_point(from_hub, points[i][FixObjects::LAMBDA] * points[i][FixObjects::OUTLINE_OFFSET]);
+  }
+  return outline;
+}

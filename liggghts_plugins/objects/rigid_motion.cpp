@@ -1,0 +1,74 @@
+#include "rigid_motion.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "orientation.h"
+
+namespace swellflow {
+
+namespace {
+
+/// How `rest` must be turned and stretched to come nearest to a body.
+struct Fit {
+  Vector2 rest_centre = Vector2::Zero();
+  double rest_inertia = 0.0;
+  BestFit turn;
+
+  Fit(const PointBody &body, const WholeMotion &whole, const std::vector<Vector2> &rest)
+  {
+    for (int i = 0; i < body.size(); ++i) rest_centre += body.mass[i] / whole.mass * rest[i];
+    for (int i = 0; i < body.size(); ++i) {
+      const Vector2 y = rest[i] - rest_centre;
+      rest_inertia += body.mass[i] * y.squaredNorm();
+      turn.add(y, body.x[i] - whole.centre, body.mass[i]);
+    }
+  }
+  double size() const { return std::hypot(turn.crossed, turn.along) / rest_inertia; }
+};
+
+/// Velocity and spin (about the centre) after the fluid's impulse, and that impulse: m (V1 - V) = dt sum (a - kappa u), I (w1 - w) = dt sum r x (a - kappa u),
+/// u = V1 + w1 x r + growth r.
+Eigen::Vector3d feel_drag(PointBody &body, const WholeMotion &whole, double growth, double dt)
+{
+  Eigen::Matrix3d A = Eigen::Vector3d(whole.mass, whole.mass, whole.inertia).asDiagonal();
+  Eigen::Vector3d b(whole.mass * whole.velocity.x(), whole.mass * whole.velocity.y(), whole.angular_momentum);
+  for (int i = 0; i < body.size(); ++i) {
+    const Vector2 r = body.x[i] - whole.centre, f = dt * (body.a[i] - body.kappa[i] * growth * r);
+    Eigen::Matrix<double, 2, 3> motion;
+    motion << 1.0, 0.0, -r.y(), 0.0, 1.0, r.x();
+    A += dt * body.kappa[i] * motion.transpose() * motion;
+    b += motion.transpose() * f;
+  }
+  const Eigen::Vector3d motion = A.ldlt().solve(b);
+  // What the points are said to have received is what the body has received, to the last digit.
+  Eigen::Vector3d result(whole.velocity.x(), whole.velocity.y(), whole.spin());
+  for (int i = 0; i < body.size(); ++i) {
+    const Vector2 r = body.x[i] - whole.centre;
+    const Vector2 impulse = dt * (body.a[i] - body.kappa[i] * (motion.head<2>() + turned(motion[2], r) + growth * r));
+    body.impulse[i] += impulse;
+    result += Eigen::Vector3d(impulse.x() / whole.mass, impulse.y() / whole.mass, cross(r, impulse) / whole.inertia);
+  }
+  return result;
+}
+
+}  // namespace
+
+void move_rigidly(PointBody &body, const std::vector<Vector2> &rest, double dt)
+{
+  const WholeMotion whole = whole_motion(body);
+  const Fit fit(body, whole, rest);
+  const double growth = (1.0 - fit.size()) / dt;
+  Eigen::Vector3d motion(whole.velocity.x(), whole.velocity.y(), whole.spin());
+  if (body.in_fluid()) motion = feel_drag(body, whole, growth, dt);
+  const Vector2 velocity = motion.head<2>(), centre = whole.centre + dt * velocity;
+  const double spin = motion[2] * whole.inertia / fit.rest_inertia;  // what grows keeps its angular momentum
+  const double angle = fit.turn.angle() + dt * spin, c = std::cos(angle), s = std::sin(angle);
+  for (int i = 0; i < body.size(); ++i) {
+    const Vector2 r = rotated(c, s, rest[i] - fit.rest_centre);
+    body.x[i] = centre + r;
+    body.v[i] = velocity + turned(spin, r) + growth * r;
+  }
+}
+
+}  // namespace swellflow

@@ -1,0 +1,36 @@
+#include "output_times.h"
+
+#include <cstring>
+
+#include "comm.h"
+#include "lammps.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+bool OutputTimes::begin_run(int every)
+{
+  if (restart_time_ >= 0.0) offset_ = restart_time_ - lmp_->update->get_cur_time();
+  restart_time_ = -1.0;
+  return last_step_ < 0 || lmp_->update->ntimestep % every == 0;
+}
+
+bool OutputTimes::take_step()
+{
+  if (lmp_->update->ntimestep == last_step_) return false;
+  last_step_ = lmp_->update->ntimestep;
+  return true;
+}
+
+double OutputTimes::time() const { return lmp_->update->get_cur_time() + offset_; }
+
+void OutputTimes::write_restart(FILE *fp) const
+{
+  if (lmp_->comm->me != 0) return;
+  const double state = time();
+  const int size = sizeof state;
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&state, sizeof state, 1, fp);
+}
+
+void OutputTimes::restart(const char *buffer) { memcpy(&restart_time_, buffer, sizeof restart_time_); }
