@@ -103,6 +103,7 @@ void CreateObjects::describe_points(int first) const
     point[FixObjects::INDEX] = index;
     point[FixObjects::DIAMETER] = made.diameter;
     point[FixObjects::NATURAL_AREA] = shape.natural_area(made.diameter);
+    point[FixObjects::MEAN_SQUARE_RADIUS] = made.diameter * made.diameter * shape.mean_square_radius;
     point[FixObjects::SPOKES] = shape.spokes;
     point[FixObjects::SPOKE_LENGTH] = on_ring ? made.diameter * on_ring->spoke_length : 0.0;
     point[FixObjects::RING_LENGTH] = on_ring ? made.diameter * on_ring->ring_length : 0.0;

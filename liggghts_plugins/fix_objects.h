@@ -24,6 +24,7 @@ class FixObjects : public Fix {
     INDEX,             // -1 hub, 0 .. N-1 ring, counter-clockwise
     DIAMETER,          // natural diameter at creation: that of the disc of the same area
     NATURAL_AREA,      // inside the polygon of the outline, at lambda = 1
+    MEAN_SQUARE_RADIUS,  // of the area of the smooth shape about its centroid, at lambda = 1
     SPOKES,            // 1: springs join ring and hub; 0: the hub only follows the ring's mean
     SPOKE_LENGTH,      // natural length of the spoke to the hub at lambda = 1, ring points only
     RING_LENGTH,       // natural length to the next ring point at lambda = 1, ring points only

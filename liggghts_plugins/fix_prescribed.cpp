@@ -188,7 +188,7 @@ void FixPrescribed::receive(int i, const double *arm, const double *law, double 
 
 /* ----------------------------------------------------------------------
    what the fluid around does: the impulse on the points also moves the
-   fluid inside, rho_f V a and rho_f I alpha, I = V R^2 / 2 of the disc
+   fluid inside, rho_f V a and rho_f I alpha, I = V times the mean of r^2
    (rigid bodies with fluid inside: Uhlmann, J. Comput. Phys. 209, 2005)
 ------------------------------------------------------------------------- */
 
@@ -205,9 +205,9 @@ const FixPrescribed::Values &FixPrescribed::values()
     for (const ObjectPoints &object : objects_->objects()) {
       if (!objects_->owns(object) || !(atom->mask[object.hub] & groupbit)) continue;
       const double *point = objects_->points()[object.hub];
-      const double R = 0.5 * point[FixObjects::DIAMETER] * point[FixObjects::LAMBDA], V = std::numbers::pi * R * R;
+      const double lambda = point[FixObjects::LAMBDA], D = lambda * point[FixObjects::DIAMETER], V = 0.25 * std::numbers::pi * D * D;
       sums[3] += V;
-      sums[4] += 0.5 * V * R * R;
+      sums[4] += V * lambda * lambda * point[FixObjects::MEAN_SQUARE_RADIUS];
     }
   MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_DOUBLE, MPI_SUM, world);
   const double rho_f = fluid->density(), V = sums[3], I = sums[4];

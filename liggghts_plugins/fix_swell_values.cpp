@@ -14,13 +14,11 @@ using swellflow::ObjectPoints;
 
 void FixSwell::add_object(const ObjectPoints &object, double *sums, double *extremes) const
 {
-  const double *hub = atom->x[object.hub], *point = objects_->points()[object.hub];
+  const double *point = objects_->points()[object.hub];
+  const std::vector<swellflow::Vector2> outline = outline_of(lmp, object);
   double distance = 0.0;
-  for (int k = 0; k < object.n_ring; k++) {
-    const double *x = atom->x[object.ring[k]];
-    distance += std::hypot(x[0] - hub[0], x[1] - hub[1]);
-  }
-  const swellflow::OutlineShape shape = swellflow::outline_shape(outline_of(lmp, object));
+  for (const swellflow::Vector2 &vertex : outline) distance += vertex.norm();
+  const swellflow::OutlineShape shape = swellflow::outline_shape(outline);
   const double lambda = point[FixObjects::LAMBDA], area_made = point[FixObjects::NATURAL_AREA];
   sums[COUNT] += 1.0;
   sums[NATURAL] += lambda * point[FixObjects::DIAMETER];

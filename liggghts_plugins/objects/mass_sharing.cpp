@@ -35,7 +35,7 @@ std::vector<double> centred_weights(const std::vector<Shape::RingPoint> &ring, c
   return weights;
 }
 
-double hub_share_for_inertia(const Shape &shape, double mean_square_radius)
+double hub_share_for_inertia(const Shape &shape)
 {
   constexpr double least = 0.01;  // a lighter hub would vibrate too fast
   double of_ring = 0.0;
@@ -44,7 +44,7 @@ double hub_share_for_inertia(const Shape &shape, double mean_square_radius)
     of_ring = shape.ring[0].spoke_length * shape.ring[0].spoke_length;
   else
     for (const Shape::RingPoint &point : shape.ring) of_ring += point.weight / n * point.x.squaredNorm();
-  const double share = 1.0 - mean_square_radius / of_ring;
+  const double share = 1.0 - shape.mean_square_radius / of_ring;
   if (share < least)
     throw std::invalid_argument("the points must be able to have the moment of inertia of the solid shape, but the ring lies so far inside that this leaves " +
                                 std::to_string(share) + " of the mass for the hub: raise 'reach', lower 'cds', or use 'mass equal'");

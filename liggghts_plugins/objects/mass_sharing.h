@@ -13,6 +13,6 @@ std::vector<double> centred_weights(const std::vector<Shape::RingPoint> &ring, c
 
 /// The part of the mass that the hub must have for the moment of inertia to be that of the solid shape, M * mean_square_radius: the hub, at the centroid, adds nothing, so
 /// that (1 - share) * sum w_k x_k^2 / N is that. Throws std::invalid_argument when the ring is too far inside for it.
-double hub_share_for_inertia(const Shape &shape, double mean_square_radius);
+double hub_share_for_inertia(const Shape &shape);
 
 }  // namespace swellflow

@@ -80,7 +80,7 @@ void share_mass(const ShapeRequest &request, Shape &shape)
   } else if (request.share == MassShare::equal) {
     shape.hub_share = 1.0 / (n + 1);
   } else {
-    shape.hub_share = hub_share_for_inertia(shape, request.contour->mean_square_radius());
+    shape.hub_share = hub_share_for_inertia(shape);
   }
   if (shape.is_round) return;
   for (const Shape::RingPoint &point : shape.ring) shape.centre_of_mass += (1.0 - shape.hub_share) / n * point.weight * point.x;
@@ -117,6 +117,7 @@ Shape make_shape(const ShapeRequest &request)
   shape.outline = request.contour->points(request.points, request.spacing);
   check_outline(shape);
   shape.outline_area = outline_shape(shape.outline).area;
+  shape.mean_square_radius = request.contour->mean_square_radius();
   place_points(request, shape);
   if (!shape.spokes) {
     for (const Shape::RingPoint &point : shape.ring) shape.hub += point.x / static_cast<double>(shape.ring.size());

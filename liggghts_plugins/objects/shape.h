@@ -43,6 +43,7 @@ struct Shape {
   MassShare share = MassShare::hub_half;
   Polygon outline;
   double outline_area = 0.0;
+  double mean_square_radius = 0.0;  ///< mean of r^2 over the smooth shape, about its centroid
 
   double natural_area(double diameter) const;  ///< inside the polygon of the outline
   double mass(double diameter, double density) const;
