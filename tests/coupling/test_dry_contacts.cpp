@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "dry_scene.h"
+#include "pair_forces.h"
 
 using namespace swellflow_test;
 
@@ -15,23 +15,6 @@ void grow(DryScene &scene, const std::string &law, int steps)
 }
 
 constexpr double kn = 1e4;
-
-using Forces = std::map<int, std::array<double, 2>>;
-
-/// What all spheres of different objects do to each other, asked pair by pair. Objects have 21 points.
-Forces pair_forces(const DryScene::State &state)
-{
-  Forces forces;
-  for (const auto &[a, p] : state)
-    for (const auto &[b, q] : state) {
-      if ((a - 1) / 21 == (b - 1) / 21) continue;
-      const double dx = p[0] - q[0], dy = p[1] - q[1], distance = std::hypot(dx, dy), overlap = p[4] + q[4] - distance;
-      if (overlap <= 0.0) continue;
-      forces[a][0] += kn * overlap * dx / distance;
-      forces[a][1] += kn * overlap * dy / distance;
-    }
-  return forces;
-}
 
 /// What a wall at `place` does to all spheres on its upper side in direction d.
 Forces wall_forces(const DryScene::State &state, int d, double place)
@@ -108,7 +91,7 @@ TEST_P(Growing, PairContactsAreFound)
   scene.box("0 1 0 1", "f f p", "0.002");
   scene.script(std::string("create_objects lattice 2 1 origin 0.42 0.5 spacing 0.16 disk ") + disk);
   grow(scene, GetParam().law, GetParam().steps);
-  expect_forces(scene, pair_forces(scene.state()));
+  expect_forces(scene, pair_forces(scene.state(), 21, kn));
 }
 
 TEST_P(Growing, PlaneWallContactsAreFound)
@@ -188,7 +171,7 @@ DryScene::State bed_in_contact(MPI_Comm comm)
   scene.change([](int tag, double *, double *v) { v[0] = 0.1 * std::sin(1.0 * tag), v[1] = 0.1 * std::cos(2.0 * tag); });
   scene.script("run 200\n");
   double largest = 0.0;
-  for (const auto &[tag, f] : pair_forces(scene.state())) largest = std::max(largest, std::hypot(f[0], f[1]));
+  for (const auto &[tag, f] : pair_forces(scene.state(), 21, kn)) largest = std::max(largest, std::hypot(f[0], f[1]));
   EXPECT_GT(largest, 10.0) << "there must be contact";
   return scene.state();
 }

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "dry_scene.h"
+#include "pair_forces.h"
 #include "liggghts_plugins/all_ranks.h"
 #include "liggghts_plugins/contact_forces.h"
 #include "liggghts_plugins/object_measures.h"
@@ -25,23 +25,6 @@ Measures measures_of(const DryScene &scene)
   const auto all = LAMMPS_NS::from_all_ranks(LAMMPS_NS::measure_objects(scene.lmp(), group_all), scene.lmp()->world);
   for (const ObjectMeasures &object : all) EXPECT_TRUE(measures.try_emplace(object.id, object).second) << "object " << object.id << " comes twice";
   return measures;
-}
-
-using Forces = std::map<int, std::array<double, 2>>;
-
-/// What all spheres of different objects of `points` points do to each other, asked pair by pair.
-Forces pair_forces(const DryScene::State &state, int points)
-{
-  Forces forces;
-  for (const auto &[a, p] : state)
-    for (const auto &[b, q] : state) {
-      if ((a - 1) / points == (b - 1) / points) continue;
-      const double dx = p[0] - q[0], dy = p[1] - q[1], distance = std::hypot(dx, dy), overlap = p[4] + q[4] - distance;
-      if (overlap <= 0.0) continue;
-      forces[a][0] += kn * overlap * dx / distance;
-      forces[a][1] += kn * overlap * dy / distance;
-    }
-  return forces;
 }
 
 std::string wall(const std::string &name, const std::string &plane)
@@ -72,7 +55,7 @@ TEST_P(Moved, ContactForcesAreWhatTheSpheresDo)
   scene.change([](int tag, double *, double *v) { v[0] = tag > 17 ? -0.5 : 0.5; });
   for (const int steps : {0, 40, 40}) {
     scene.script("run " + std::to_string(steps) + "\n");
-    const auto expected = pair_forces(scene.state(), 17);
+    const auto expected = pair_forces(scene.state(), 17, kn);
     double magnitudes[2] = {0.0, 0.0}, net[2][2] = {};
     for (const auto &[tag, f] : expected) {
       const int which = tag > 17;

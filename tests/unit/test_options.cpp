@@ -4,8 +4,10 @@
 #include "liggghts_plugins/fluid_script.h"
 #include "liggghts_plugins/object_list.h"
 #include "liggghts_plugins/options.h"
+#include "complaints.h"
 
 using namespace swellflow;
+using namespace swellflow_test;
 
 namespace {
 
@@ -32,12 +34,7 @@ std::vector<NewObject> made(const std::string &line, const std::string &file_tex
 /// The message that create_objects ends with.
 std::string complaint(const std::string &line, const std::string &file_text = "")
 {
-  try {
-    made(line, file_text);
-  } catch (const std::invalid_argument &problem) {
-    return problem.what();
-  }
-  return "no error";
+  return complaint_of([&] { made(line, file_text); });
 }
 
 /// What fix fluid/ib makes of the words behind the ones that it cannot do without, in a box of 2 x 1 that is periodic along x or not.
@@ -49,17 +46,7 @@ FluidScript fluid(const std::string &words, bool periodic_x = false, bool period
 
 std::string fluid_complaint(const std::string &words, bool periodic_x = false, bool periodic_y = false)
 {
-  try {
-    fluid(words, periodic_x, periodic_y);
-  } catch (const OptionError &problem) {
-    return problem.what();
-  }
-  return "no error";
-}
-
-void expect_all(const std::string &message, const std::vector<std::string> &parts)
-{
-  for (const std::string &part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+  return complaint_of([&] { fluid(words, periodic_x, periodic_y); });
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 #include "liggghts_plugins/objects/outline.h"
 #include "liggghts_plugins/objects/outline_file.h"
 #include "liggghts_plugins/objects/overlap.h"
+#include "complaints.h"
 
 using namespace swellflow;
+using namespace swellflow_test;
 using std::numbers::pi;
 
 namespace {
@@ -51,17 +53,7 @@ const Polygon bay = {{-0.2, -0.2}, {0.2, -0.2}, {0.2, -0.15}, {-0.15, -0.15}, {-
 
 std::string complaint(const std::string &text)
 {
-  try {
-    read_outline("star.csv", text);
-  } catch (const std::invalid_argument &problem) {
-    return problem.what();
-  }
-  return "no error";
-}
-
-void expect_all(const std::string &message, const std::vector<std::string> &parts)
-{
-  for (const std::string &part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+  return complaint_of([&] { read_outline("star.csv", text); });
 }
 
 }  // namespace

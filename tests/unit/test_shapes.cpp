@@ -9,8 +9,10 @@
 #include "liggghts_plugins/objects/outline.h"
 #include "liggghts_plugins/objects/shape.h"
 #include "liggghts_plugins/objects/size_distribution.h"
+#include "complaints.h"
 
 using namespace swellflow;
+using namespace swellflow_test;
 using std::numbers::pi;
 
 namespace {
@@ -50,17 +52,7 @@ Solid solid(const Shape &shape, double D)
 
 std::string complaint(const ShapeRequest &request)
 {
-  try {
-    make_shape(request);
-  } catch (const std::invalid_argument &problem) {
-    return problem.what();
-  }
-  return "no error";
-}
-
-void expect_all(const std::string &message, const std::vector<std::string> &parts)
-{
-  for (const std::string &part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+  return complaint_of([&] { make_shape(request); });
 }
 
 }  // namespace
