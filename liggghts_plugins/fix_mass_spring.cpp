@@ -133,7 +133,15 @@ void FixMassSpring::setup(int)
   add_springs([this](int i, const Vector2 &F) { atom->f[i][0] += F.x(), atom->f[i][1] += F.y(); });
   if (!damped()) return;
   if (dashpot_step_ != update->ntimestep) measure_dashpots();
+  forget_dashpots_of_solved_objects();
   add_dashpots();
+}
+
+/// They were kept in the last run, when another fix may have moved these objects.
+void FixMassSpring::forget_dashpots_of_solved_objects()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & solved_groups_) dashpot_->array_atom[i][0] = dashpot_->array_atom[i][1] = 0.0;
 }
 
 void FixMassSpring::post_force(int)

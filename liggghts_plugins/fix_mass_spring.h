@@ -40,7 +40,7 @@ class FixMassSpring : public Fix {
 
  private:
   struct Totals {
-    double energy = 0.0, largest_strain = 0.0, dissipated_power = 0.0, step_over_limit = 0.0;
+    double energy = 0.0, largest_strain = 0.0, dissipated_power = 0.0;
   };
   void parse(int narg, char **arg);
   void read_stiffening(swellflow::Arguments &line);
@@ -51,16 +51,18 @@ class FixMassSpring : public Fix {
   template <typename Add>
   void add_springs(const Add &add) const;
   void measure_dashpots();
+  void forget_dashpots_of_solved_objects();
   void add_dashpots();
   template <typename Add>
   void add_pair(const Add &add, int a, int b, const swellflow::Vector2 &F) const;
   bool damped() const { return law_.damping > 0.0; }
   std::string dashpot_property() const { return std::string("spring_dashpot_") + id; }
   const Totals &totals();
+  std::vector<double> velocities() const;
 
   bool moves_explicitly(const swellflow::ObjectPoints &object) const;
   struct StepLimit { double step_over_limit = 0.0; int object = 0; };  // laid out as MPI_DOUBLE_INT
-  StepLimit step_over_limit() const;
+  StepLimit step_over_limit(double floor) const;
   void require_stable_step() const;
 
   swellflow::SpringLaw law_;

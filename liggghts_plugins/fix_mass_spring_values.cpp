@@ -38,12 +38,23 @@ double FixMassSpring::energy_of(const ObjectPoints &object) const
    Each spring is counted by the rank of its ring point.
 ------------------------------------------------------------------------- */
 
+/// Of own points and images, all of the end of the step, where images still have those of its middle.
+std::vector<double> FixMassSpring::velocities() const
+{
+  std::vector<double> v(2 * (atom->nlocal + atom->nghost));
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 2; d++) v[2 * i + d] = atom->v[i][d];
+  objects_->send_to_ghosts(v.data(), 2);
+  return v;
+}
+
 const FixMassSpring::Totals &FixMassSpring::totals()
 {
   if (totals_step_ == update->ntimestep) return totals_;
-  double **x = atom->x, **v = atom->v;
+  double **x = atom->x;
   double sums[2] = {0.0, 0.0}, largest_strain = 0.0;
   const bool current = objects_->current_everywhere();
+  const std::vector<double> v = current && damped() ? velocities() : std::vector<double>(2 * (atom->nlocal + atom->nghost), 0.0);
   for (std::size_t k = 0; current && k < objects_->objects().size(); k++) {
     const ObjectPoints &object = objects_->objects()[k];
     if (!acts_on(object)) continue;
@@ -53,14 +64,13 @@ const FixMassSpring::Totals &FixMassSpring::totals()
       const double stretch = (plane(x[a]) - plane(x[b])).norm() - spring.length;
       sums[0] += 0.5 * spring.stiffness * stretch * stretch;
       if (spring.length > 0.0) largest_strain = std::max(largest_strain, std::abs(stretch) / spring.length);
-      const double closing = (plane(v[a]) - plane(v[b])).dot(swellflow::direction(plane(x[a]), plane(x[b])));
+      const double closing = (plane(&v[2 * a]) - plane(&v[2 * b])).dot(swellflow::direction(plane(x[a]), plane(x[b])));
       sums[1] += spring.dashpot * closing * closing;
     });
   }
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, &largest_strain, 1, MPI_DOUBLE, MPI_MAX, world);
-  totals_ = {.energy = sums[0], .largest_strain = largest_strain, .dissipated_power = sums[1],
-             .step_over_limit = current ? step_over_limit().step_over_limit : 0.0};
+  totals_ = {.energy = sums[0], .largest_strain = largest_strain, .dissipated_power = sums[1]};
   totals_step_ = update->ntimestep;
   return totals_;
 }
@@ -69,14 +79,15 @@ double FixMassSpring::compute_scalar() { return totals().energy; }
 
 double FixMassSpring::compute_vector(int n)
 {
+  if (n == 3) return objects_->current_everywhere() ? step_over_limit(0.0).step_over_limit : 0.0;
   const Totals &now = totals();
-  const double values[] = {now.energy, now.largest_strain, now.dissipated_power, now.step_over_limit};
+  const double values[] = {now.energy, now.largest_strain, now.dissipated_power};
   return values[n];
 }
 
 /* ----------------------------------------------------------------------
-   The largest frequency of each object as it is: an eigenvalue problem,
-   which is solved only where a bound does not settle it. Collective.
+   The largest step over the limit of an object as it is, if above `floor`.
+   Only objects that are above all before are looked at closely. Collective.
 ------------------------------------------------------------------------- */
 
 bool FixMassSpring::moves_explicitly(const ObjectPoints &object) const
@@ -84,10 +95,9 @@ bool FixMassSpring::moves_explicitly(const ObjectPoints &object) const
   return gives_forces_to(object) && (atom->mask[object.hub] & explicit_groups_);
 }
 
-FixMassSpring::StepLimit FixMassSpring::step_over_limit() const
+FixMassSpring::StepLimit FixMassSpring::step_over_limit(double floor) const
 {
-  StepLimit largest;
-  double highest_solved = 0.0;
+  StepLimit largest{floor, 0};
   std::vector<Vector2> x;
   std::vector<double> mass;
   for (const ObjectPoints &object : objects_->objects()) {
@@ -99,11 +109,9 @@ FixMassSpring::StepLimit FixMassSpring::step_over_limit() const
       mass.push_back(atom->rmass[i]);
     });
     const swellflow::SpringSet &springs = springs_of(object);
-    const double bound = bound_of_step_over_limit(x, mass, springs, update->dt);
-    if (bound <= largest.step_over_limit || bound <= 1.001 * highest_solved) continue;  // objects are often alike
-    highest_solved = bound;
-    const double here = swellflow::step_over_limit(x, mass, springs, update->dt);
-    if (here > largest.step_over_limit) largest = {here, atom->molecule[object.hub]};
+    if (bound_of_step_over_limit(x, mass, springs, update->dt) <= largest.step_over_limit) continue;
+    if (largest.step_over_limit > 0.0 && step_is_below(x, mass, springs, update->dt, largest.step_over_limit)) continue;
+    largest = {swellflow::step_over_limit(x, mass, springs, update->dt), atom->molecule[object.hub]};
   }
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
   return largest;
@@ -111,8 +119,8 @@ FixMassSpring::StepLimit FixMassSpring::step_over_limit() const
 
 void FixMassSpring::require_stable_step() const
 {
-  const StepLimit largest = step_over_limit();
-  if (!(largest.step_over_limit >= 1.0)) return;
+  const StepLimit largest = step_over_limit(1.0);
+  if (largest.object == 0) return;
   error->fix_error(FLERR, const_cast<FixMassSpring *>(this),
                    ("an explicit time step must be shorter than 2 over the highest frequency of each object, which is " +
                     swellflow::rounded(update->dt / largest.step_over_limit) + " for object (molecule) " + std::to_string(largest.object) +

@@ -220,9 +220,11 @@ void FixObjects::setup(int)
 void FixObjects::require_same_fixes()
 {
   const auto known = static_cast<int>(fixes_.size());
-  if (known <= modify->nfix && std::equal(fixes_.begin(), fixes_.end(), modify->fix)) return;
-  error->fix_error(FLERR, this, ("fixes must stay during a run and those that follow it with 'pre no', but one was taken out before step " +
-                                 std::to_string(update->ntimestep) + ": leave out 'pre no' in the first run after an 'unfix'").c_str());
+  // A fix that is issued again under its id may get the place in memory of the one before; only a set-up takes its mark of being new away.
+  const auto is_new = [](const Fix *fix) { return fix->just_created != 0; };
+  if (known <= modify->nfix && std::equal(fixes_.begin(), fixes_.end(), modify->fix) && std::none_of(fixes_.begin(), fixes_.end(), is_new)) return;
+  error->fix_error(FLERR, this, ("fixes must stay during a run and those that follow it with 'pre no', but one was taken out or issued again before step " +
+                                 std::to_string(update->ntimestep) + ": leave out 'pre no' in the first run after a 'fix' or 'unfix'").c_str());
 }
 
 void FixObjects::pre_initial_integrate() { require_same_fixes(); }

@@ -201,7 +201,7 @@ const FixPrescribed::Values &FixPrescribed::values()
   values_known_ = true;
 
   double sums[5] = {last_.impulse[0], last_.impulse[1], last_.angular_impulse, 0.0, 0.0};
-  if (objects_->current())
+  if (objects_->current_everywhere())
     for (const ObjectPoints &object : objects_->objects()) {
       if (!objects_->owns(object) || !(atom->mask[object.hub] & groupbit)) continue;
       const double *point = objects_->points()[object.hub];

@@ -35,7 +35,7 @@ const double *FixSwell::values()
 {
   if (values_step_ == update->ntimestep) return values_;
   double sums[N_SUMS] = {}, extremes[N_EXTREMES] = {-1e300, 0.0};
-  const bool current = objects_->current();
+  const bool current = objects_->current_everywhere();
   for (std::size_t k = 0; current && k < objects_->objects().size(); k++) {
     const ObjectPoints &object = objects_->objects()[k];
     if (objects_->owns(object) && (atom->mask[object.hub] & groupbit)) add_object(object, sums, extremes);

@@ -62,11 +62,7 @@ bool ImplicitSprings::solve(PointBody &body, const SpringSet &springs, const std
   const WholeMotion before = whole_motion(body);
   x0_ = body.x;
   v0_ = body.v;
-  x1_.resize(n);
-  for (int i = 0; i < n; ++i) x1_[i] = x0_[i] + dt * v0_[i];
-  if (energy_ == SpringEnergy::dissipate && farthest_way() > surely_downhill * size_of(body) &&
-      potential(body, springs, g, dt, x0_) < potential(body, springs, g, dt, x1_))
-    x1_ = x0_;
+  guess(body, springs, g, dt, before);
   if (!iterate(body, springs, g, dt)) return false;
   for (int i = 0; i < n; ++i) {
     body.v[i] = ((x1_[i] - x0_[i]) / dt - (1.0 - theta_) * v0_[i]) / theta_;
@@ -77,11 +73,22 @@ bool ImplicitSprings::solve(PointBody &body, const SpringSet &springs, const std
   return true;
 }
 
-double ImplicitSprings::farthest_way() const
+/// The body as it would turn and deform by its velocities; or only turn, when it would go too far.
+void ImplicitSprings::guess(const PointBody &body, const SpringSet &springs, const std::vector<Vector2> &g, double dt, const WholeMotion &before)
 {
-  double square = 0.0;
-  for (std::size_t i = 0; i < x0_.size(); ++i) square = std::max(square, (x1_[i] - x0_[i]).squaredNorm());
-  return std::sqrt(square);
+  const int n = body.size();
+  const double spin = before.spin(), c = std::cos(dt * spin), s = std::sin(dt * spin);
+  double farthest = 0.0;
+  x1_.resize(n);
+  trial_.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const Vector2 r = x0_[i] - before.centre, deformation = dt * (v0_[i] - before.velocity - turned(spin, r));
+    trial_[i] = before.centre + dt * before.velocity + rotated(c, s, r);
+    x1_[i] = trial_[i] + rotated(c, s, deformation);
+    farthest = std::max(farthest, deformation.squaredNorm());
+  }
+  if (energy_ == SpringEnergy::conserve || std::sqrt(farthest) < surely_downhill * size_of(body)) return;
+  if (potential(body, springs, g, dt, trial_) < potential(body, springs, g, dt, x1_)) x1_.swap(trial_);
 }
 
 /// The stiffness with compressed springs' part that pushes sideways may be indefinite: then that part is left out, which slows convergence but keeps its limit.

@@ -35,7 +35,7 @@ public:
 
 private:
   bool solve(PointBody &body, const SpringSet &springs, const std::vector<Vector2> &g, double dt);
-  double farthest_way() const;
+  void guess(const PointBody &body, const SpringSet &springs, const std::vector<Vector2> &g, double dt, const WholeMotion &before);
   bool iterate(const PointBody &body, const SpringSet &springs, const std::vector<Vector2> &g, double dt);
   void assemble(const PointBody &body, const SpringSet &springs, const std::vector<Vector2> &g, double dt, bool clamped);
   void add_spring(int a, int b, const Spring &spring, double dt, bool clamped);

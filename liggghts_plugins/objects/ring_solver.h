@@ -14,7 +14,7 @@ using Matrix2 = Eigen::Matrix2d;
 /// elimination round the ring. What it fills in is a column for the last ring point and one for the hub, so the work is linear in the number of points.
 class RingSolver {
 public:
-  /// `held` = n_ring, or n_ring + 1 with a hub that is coupled. All blocks are zero then.
+  /// All blocks are zero then.
   void start(int n_ring, bool with_hub);
   Matrix2 &diagonal(int point) { return diagonal_[point]; }   ///< point n_ring is the hub
   /// Block (a, b); b is the ring point that follows a, or the hub.

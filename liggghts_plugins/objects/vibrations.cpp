@@ -1,6 +1,5 @@
 #include "vibrations.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "ring_solver.h"
@@ -16,16 +15,24 @@ double sideways_stiffness(const Vector2 &d, const Spring &spring)
   return xi > 0.0 ? spring.stiffness * (1.0 - spring.length / xi) : spring.stiffness;
 }
 
-}  // namespace
-
-Eigen::MatrixXd stiffness_matrix(const std::vector<Vector2> &x, const SpringSet &springs, double dashpots_per_time)
+/// visit(a, b, block): -d(force on a)/d(x_a) of each spring. Each dashpot adds `dashpots_per_time` times its constant to the stiffness along its spring.
+template <typename Visit>
+void for_each_block(const std::vector<Vector2> &x, const SpringSet &springs, double dashpots_per_time, const Visit &visit)
 {
-  const int n = springs.held_points();
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   for_each_spring(springs, [&](int a, int b, const Spring &spring) {
     const Vector2 d = x[a] - x[b], along = direction(x[a], x[b]);
     const double axial = spring.stiffness + dashpots_per_time * spring.dashpot, sideways = sideways_stiffness(d, spring);
-    const Matrix2 block = sideways * Matrix2::Identity() + (axial - sideways) * along * along.transpose();
+    visit(a, b, Matrix2(sideways * Matrix2::Identity() + (axial - sideways) * along * along.transpose()));
+  });
+}
+
+}  // namespace
+
+Eigen::MatrixXd stiffness_matrix(const std::vector<Vector2> &x, const SpringSet &springs)
+{
+  const int n = springs.held_points();
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  for_each_block(x, springs, 0.0, [&](int a, int b, const Matrix2 &block) {
     for (const int i : {a, b}) K.block<2, 2>(2 * i, 2 * i) += block;
     K.block<2, 2>(2 * a, 2 * b) -= block;
     K.block<2, 2>(2 * b, 2 * a) -= block;
@@ -33,14 +40,32 @@ Eigen::MatrixXd stiffness_matrix(const std::vector<Vector2> &x, const SpringSet 
   return K;
 }
 
+bool step_is_below(const std::vector<Vector2> &x, const std::vector<double> &mass, const SpringSet &springs, double dt, double over_limit)
+{
+  RingSolver difference;
+  difference.start(springs.ring_points(), springs.has_spokes());
+  const double scale = 0.25 * dt * dt / (over_limit * over_limit);
+  for (int i = 0; i < springs.held_points(); ++i) difference.diagonal(i) = mass[i] * Matrix2::Identity();
+  for_each_block(x, springs, 2.0 / dt, [&](int a, int b, const Matrix2 &block) {
+    difference.diagonal(a) -= scale * block;
+    difference.diagonal(b) -= scale * block;
+    difference.coupling(a, b) += scale * block;
+  });
+  return difference.solve();
+}
+
 double step_over_limit(const std::vector<Vector2> &x, const std::vector<double> &mass, const SpringSet &springs, double dt)
 {
-  Eigen::MatrixXd K = stiffness_matrix(x, springs, 2.0 / dt);
-  Eigen::VectorXd scale(K.rows());
-  for (int i = 0; i < K.rows(); ++i) scale[i] = 1.0 / std::sqrt(mass[i / 2]);
-  const Eigen::MatrixXd symmetric = scale.asDiagonal() * K * scale.asDiagonal();
-  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
-  return 0.5 * dt * std::sqrt(std::max(0.0, largest));
+  double high = bound_of_step_over_limit(x, mass, springs, dt), low = 0.5 * high;
+  while (low > 0.0 && step_is_below(x, mass, springs, dt, low)) {
+    high = low;
+    low *= 0.5;
+  }
+  while (high - low > 1e-6 * high) {
+    const double middle = 0.5 * (low + high);
+    (step_is_below(x, mass, springs, dt, middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 double bound_of_step_over_limit(const std::vector<Vector2> &x, const std::vector<double> &mass, const SpringSet &springs, double dt)

@@ -93,7 +93,7 @@ TEST_P(Energies, FollowTheTrueMotionOfASoftBody)
   spin_up(exact, 1.0);
   for (int k = 0; k < 20; ++k) exact.v[k] += 0.3 * std::cos(4.0 * pi * k / 20) * exact.x[k];  // two waves round the ring
   const PointBody start = exact;
-  run_finely(exact, object.springs(), 2e-5, 25000);
+  run_finely(exact, object.springs(), 5e-5, 10000);
   const int expected_order = GetParam() == SpringEnergy::conserve ? 2 : 1;
   double error = 0.0;
   for (double dt : {0.001, 0.0005, 0.00025}) {
@@ -167,7 +167,7 @@ TEST_P(Energies, CopeWithObjectsThatAreCrushedOrTurnedInsideOut)
       const RingObject object{.law = {.stiffness = k}};
       PointBody body = object.body();
       for (int i = 0; i < 20; ++i) body.x[i].x() *= size;
-      run(body, object.springs(), GetParam(), 0.01, 200);
+      run(body, object.springs(), GetParam(), 0.01, 30);
       for (int i = 0; i < body.size(); ++i) EXPECT_TRUE(std::isfinite(body.x[i].sum() + body.v[i].sum()));
     }
 }
@@ -220,7 +220,7 @@ TEST(ImplicitSprings, DissipateNeverGainsEnergyAndEndsAsARigidBody)
     ImplicitSprings solver(SpringEnergy::dissipate);
     const std::vector<Vector2> none(body.size(), Vector2::Zero());
     double energy = kinetic_energy(body) + spring_energy(body, springs);
-    for (int step = 0; step < 3000; ++step) {
+    for (int step = 0; step < 1000; ++step) {
       ASSERT_TRUE(solver.advance(body, springs, none, dt));
       const double now = kinetic_energy(body) + spring_energy(body, springs);
       ASSERT_LE(now, energy * (1.0 + 1e-12)) << "step " << step << " of " << dt;
@@ -240,7 +240,7 @@ TEST(ImplicitSprings, AGrowingObjectFollowsItsNaturalLengthsWithoutTurning)
   PointBody body = object.body();
   ImplicitSprings solver(SpringEnergy::dissipate);
   const std::vector<Vector2> none(body.size(), Vector2::Zero());
-  for (int step = 1; step <= 20000; ++step) ASSERT_TRUE(solver.advance(body, object.springs(1.0 + 2e-4 * step), none, 5e-3));
+  for (int step = 1; step <= 2000; ++step) ASSERT_TRUE(solver.advance(body, object.springs(1.0 + 2e-3 * step), none, 5e-3));
   for (int k = 0; k < 20; ++k) {
     EXPECT_NEAR((body.x[k] - body.x[20]).norm(), 0.5 * 5.0, 1e-6);
     EXPECT_NEAR(cross(object.body().x[k], body.x[k] - body.x[20]) / (0.5 * 2.5), 0.0, 1e-10);
