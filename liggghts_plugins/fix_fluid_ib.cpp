@@ -103,6 +103,8 @@ void FixFluidIb::make_partner()
 {
   or_stop(lmp, [&] {
     FluidOptions options = script_->options();
+    // Whether a new compute has been invoked yet is whatever its memory held, on each rank another value, until this is called.
+    modify->clearstep_compute();
     options.initial_velocity = script_->initial_velocity(lmp);
     options.initial_side_velocity = script_->drive(lmp).side_velocity;
     try {
