@@ -9,6 +9,9 @@ namespace swellflow {
 
 namespace {
 
+/// Of the size, in a step. What is more is no growth but another shape put right: points are then placed without a velocity.
+constexpr double largest_growth = 0.01;
+
 /// How `rest` must be turned and stretched to come nearest to a body.
 struct Fit {
   Vector2 rest_centre = Vector2::Zero();
@@ -58,7 +61,7 @@ void move_rigidly(PointBody &body, const std::vector<Vector2> &rest, double dt)
 {
   const WholeMotion whole = whole_motion(body);
   const Fit fit(body, whole, rest);
-  const double growth = (1.0 - fit.size()) / dt;
+  const double lacking = 1.0 - fit.size(), growth = std::abs(lacking) < largest_growth ? lacking / dt : 0.0;
   Eigen::Vector3d motion(whole.velocity.x(), whole.velocity.y(), whole.spin());
   if (body.in_fluid()) motion = feel_drag(body, whole, growth, dt);
   const Vector2 velocity = motion.head<2>(), centre = whole.centre + dt * velocity;
