@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "coupling/initial_flow.h"
 #include "coupling/stopwatch.h"
 #include "liggghts_plugins/fluid_columns.h"
 
@@ -44,23 +45,13 @@ template <int Dim>
 CoupledFluid<Dim>::CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const Boundaries<Dim> &boundaries)
     : flow_(grid, {options.density, options.kinematic_viscosity}, boundaries, advection_of(options)),
       markers_(make_markers<Dim>(options.kernel, flow_.grid(), flow_.layout())), flow_rate_(first_of<Dim>(options.controlled)), points_(lammps),
-      to_slabs_(grid.comm), to_homes_(grid.comm), options_(options)
+      inner_fluid_(options.density), to_slabs_(grid.comm), to_homes_(grid.comm), to_sources_(grid.comm), options_(options)
 {
   if (options.forcing == ForcingScheme::implicit) marker_solver_ = std::make_unique<MarkerSolver<Dim>>(flow_.grid(), flow_.layout(), *markers_);
-  flow_.start_with_velocity(first_of<Dim>(options.initial_velocity));
+  start(flow_, boundaries, options);
 }
 
 // ---- the step --------------------------------------------------------------------------------------------------------------------------------
-
-template <int Dim> void CoupledFluid<Dim>::weigh(const std::vector<ObjectPoints> &objects, const Triple &gravity)
-{
-  points_.refresh();
-  for (const ObjectPoints &object : objects) {
-    const int own = any_own(object);
-    if (own >= 0 && points_.state[own][FluidState::KNOWS_BEFORE] == 0.0)
-      return_inner_fluid(object, motion_of(object, points_), gravity);
-  }
-}
 
 /// As many as the CFL number of the flow as it is, and of its sides as they will be, allows. The first step has one: nobody knows yet what the sides will do to a fluid
 /// at rest. Growth is gradual and waits until it pays: a new length means new factors for the viscous solves.
@@ -85,15 +76,26 @@ template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPo
   dt_before_ = dt_;
   dt_ = dem_steps * points_.time_step();
   this->drive(drive);
+  some_inflate_ = some_inflate_ || drive.some_inflate;
   describe_markers(objects, drive.gravity);
+  if (some_inflate_) note_inflating(objects);
   arrive();
   spread(carried_);
   given_ = given_to_fluid();
   {
     Stopwatch watch(seconds_in_fluid_);
     flow_.predict_velocity(dt_);
+    // Where objects push fluid away, what appears inside them is not known before they have moved.
+    if (options_.projections > 1 && !some_inflate_ && some_markers()) flow_.project_prediction(dt_);
   }
   hand_out();
+}
+
+template <int Dim> void CoupledFluid<Dim>::complete_law(const std::vector<ObjectPoints> &objects, const FluidDrive &drive)
+{
+  Stopwatch watch(seconds_in_coupling_);
+  for (std::size_t n = 0; n < objects.size(); ++n)
+    inner_fluid_.return_inertia(objects[n], described_[n].motion, described_[n].filled, drive.gravity, dt_, points_);
 }
 
 template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectPoints> &objects)
@@ -103,6 +105,7 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
   force(change_);
   tighten();
   for (int d = 0; d < Dim; ++d) balance_[d] = given_[d] + received_[d] + owed_balance_[d];
+  if (some_inflate_) grow_inside(objects);
   {
     Stopwatch watch(seconds_in_fluid_);
     flow_.project(dt_);
@@ -110,8 +113,16 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
   last_dt_ = dt_;
   last_marker_gap_ = marker_gap_;
   last_body_force_ = flow_.body_force();
+  note_sides();
   measure_slip();
   require_finite_flow();
+}
+
+template <int Dim> bool CoupledFluid<Dim>::some_markers() const
+{
+  int some = !arrived_.empty();
+  MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, flow_.grid().comm);
+  return some;
 }
 
 template <int Dim> void CoupledFluid<Dim>::drive(const FluidDrive &drive)
@@ -135,8 +146,10 @@ template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<Ob
   owed_balance_ = std::exchange(given_late_, VecD{});
   for (int i = 0; i < points_.n_own(); ++i) {
     std::fill_n(points_.law[i], static_cast<int>(FluidLaw::N_COLUMNS), 0.0);
-    std::fill_n(points_.impulse[i], FluidImpulse::N_COLUMNS, 0.0);
+    std::fill_n(points_.impulse[i], FluidImpulse::N_RECEIVED, 0.0);
+    points_.state[i][FluidState::HAS_MARKERS] = 0.0;
   }
+  described_.clear();
   for (const ObjectPoints &object : objects) describe_object(object, gravity);
 }
 
@@ -218,10 +231,12 @@ template <int Dim> void CoupledFluid<Dim>::collect(const std::vector<ObjectPoint
       const int i = points_.own_index(k < 0 ? object.hub : object.ring[k]);
       if (i < 0) continue;
       const double *impulse = points_.impulse[i], *state = points_.state[i];
-      for (int d = 0; d < Dim; ++d) received_[d] += impulse[d];
-      if (state[FluidState::HAS_MARKERS] == 0.0) continue;
       Report report{static_cast<int>(state[FluidState::HOME_SLOT]), {}};
-      for (int d = 0; d < Dim; ++d) report.impulse[d] = impulse[d];
+      for (int d = 0; d < Dim; ++d) {
+        report.impulse[d] = impulse[d] - state[FluidState::INNER_FORCE_X + d] * dt_;
+        received_[d] += report.impulse[d];
+      }
+      if (state[FluidState::HAS_MARKERS] == 0.0) continue;
       reports_.push_back(report);
       reporting_.push_back(i);
       to_.push_back(static_cast<int>(state[FluidState::HOME_RANK]));
@@ -236,7 +251,7 @@ template <int Dim> void CoupledFluid<Dim>::collect(const std::vector<ObjectPoint
   to_slabs_.deliver_again(leaving_change_, change_);
 }
 
-/// From I = dt [ sum of kappa (u~ - c) - (sum of kappa) V - felt ] the point's mean velocity V, and from it each marker's part.
+/// From the impulse of the fluid around, I = dt [ sum of kappa (u~ - c) - (sum of kappa) V - felt ] the point's mean velocity V, and from it each marker's part.
 template <int Dim> void CoupledFluid<Dim>::settle(const Report &report)
 {
   const Account &account = accounts_[report.slot];
@@ -251,7 +266,7 @@ template <int Dim> void CoupledFluid<Dim>::settle(const Report &report)
     const double V = drag / kappa;
     for (int m = account.first; m < account.first + account.count; ++m)
       leaving_change_[m][d] = answers_here_[m].kappa * dt_ * (V + offset_[m][d] - answers_here_[m].u[d]);
-    force[d] -= report.impulse[d] / dt_ + account.felt[d];
+    for (int m = account.first; m < account.first + account.n_carrying; ++m) force[d] += leaving_change_[m][d] / dt_;
     square += force[d] * force[d];
   }
   exchanged_ += std::sqrt(square) * dt_;

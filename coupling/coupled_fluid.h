@@ -2,8 +2,9 @@
 #pragma once
 
 #include "coupling/courier.h"
+#include "coupling/growth_sources.h"
 #include "coupling/marker_ring.h"
-#include "coupling/object_motion.h"
+#include "coupling/inner_fluid.h"
 #include "fluid/flow_rate.h"
 #include "fluid/flow_solver.h"
 #include "fluid/marker_solver.h"
@@ -13,7 +14,7 @@ namespace swellflow {
 /// Direct-forcing immersed boundary (Uhlmann 2005; Guinea, Toriu & Ushijima 2022) in the form of docs/theory.md. A fluid step is
 ///
 ///   arrive      the markers of each ring point go to the slabs that hold them
-///   predict     u~ with the force F_c that each marker gave in the step before, spread at its new place
+///   predict     u~ with the force F_c that each marker gave in the step before, spread at its new place; with two projections div u~ = 0
 ///   interpolate u~ at the markers
 ///   hand out    the force on a point, sum over its markers of kappa (u~ - c - v) less its shares of F_c, while LIGGGHTS takes its N steps
 ///   collect     the impulse I that each point truly received: with it the velocity V that the point had in the mean
@@ -24,14 +25,14 @@ namespace swellflow {
 /// with kappa = rho_f ds h / (beta dt), ds the spacing of the markers, beta the larger of the kernel's scale and the row sum (what comes back at a marker when
 /// all are asked to change by 1: more than the scale only where markers crowd); c the marker's velocity less its point's when the step begins, less q (x - x_c)
 /// if the object absorbs, q = (dA/dt) / (2A) of the outline's actual motion, bounded by absorption_rate. What points receive and what the fluid gives is equal to
-/// round-off. The fluid inside an object has inertia of its own, which is returned: with rho_f V a of the object's last acceleration, as is its weight.
+/// round-off. The inertia and the weight of the fluid inside an object are returned (InnerFluid); in one that is light it has markers too, which carry no force.
 template <int Dim> class CoupledFluid : public FluidPartner {
 public:
   CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const Boundaries<Dim> &boundaries);
 
-  void weigh(const std::vector<ObjectPoints> &objects, const Triple &gravity) override;
   int choose_dem_steps(double dem_dt, const FluidDrive &drive) override;
   void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) override;
+  void complete_law(const std::vector<ObjectPoints> &objects, const FluidDrive &drive) override;
   void finish_step(const std::vector<ObjectPoints> &objects) override;
 
   FluidReport report() override;
@@ -58,23 +59,29 @@ private:
     int slot;
     VecD impulse;
   };
-  /// The account of an own ring point: its markers are those at first … first + count - 1.
+  /// The account of an own ring point, or of a hub that bears markers: its markers are those at first … first + count - 1, of which the first n_carrying carry force.
   struct Account {
-    int point, first, count;
+    int point, first, count, n_carrying;
     VecD carried, felt;  ///< force F_c of all its markers; its share of all F_c and of what is owed
+  };
+  struct Described {
+    ObjectMotion motion;
+    bool filled;
   };
 
   void drive(const FluidDrive &drive);
+  bool some_markers() const;
   void describe_markers(const std::vector<ObjectPoints> &objects, const Triple &gravity);
   void describe_object(const ObjectPoints &object, const Triple &gravity);
   void open_accounts(const ObjectPoints &object, double absorption_rate);
+  void open_account(const ObjectPoints &object, int k, int own, double absorption_rate);
   void add_marker(const ObjectPoints &object, int m, double absorption_rate);
+  void send_marker(VecD x, double spacing, const VecD &carried_impulse, const VecD &offset);
   void share_carried_force(const ObjectPoints &object);
   void share_owed_impulse(const ObjectPoints &object);
   void require_finite_flow() const;
-  void return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity);
   double absorption_rate(const ObjectPoints &object) const;
-  void remember_motion(const ObjectPoints &object, const ObjectMotion &motion);
+  double chord_rate(double spin) const;
   int markers_per_point(const ObjectPoints &object) const;
   int slab_of(const VecD &x) const;
   void arrive();
@@ -88,6 +95,10 @@ private:
   void find_remaining_slip();
   void owe(const std::vector<VecD> &extra);
   VecD given_to_fluid() const;
+  void note_inflating(const std::vector<ObjectPoints> &objects);
+  void grow_inside(const std::vector<ObjectPoints> &objects);
+  double excess_growth(const ObjectPoints &object) const;
+  void note_sides();
   void measure_slip();
   int any_own(const ObjectPoints &object) const;
 
@@ -97,11 +108,13 @@ private:
   FlowRate<Dim> flow_rate_;
   DemEngine points_;
   MarkerRing ring_;
-  Courier to_slabs_, to_homes_;
+  InnerFluid inner_fluid_;
+  Courier to_slabs_, to_homes_, to_sources_;
   FluidOptions options_;
   double dt_ = 0.0, dt_before_ = 0.0;
 
   // On the rank that has the point when the step begins
+  std::vector<Described> described_;
   std::vector<Account> accounts_;
   std::vector<Arrival> leaving_;
   std::vector<VecD> offset_, leaving_change_, felt_;
@@ -117,10 +130,13 @@ private:
   std::vector<Answer> answers_;
   std::vector<VecD> x_, u_, u_after_, carried_, change_, row_sum_, wanted_, slip_, extra_, all_extra_;
   std::vector<double> spacing_;
+  // Sources inside objects that inflate, on the rank of the hub and on those of the slabs
+  std::vector<SourcePoint> leaving_sources_, arrived_sources_;
+  bool some_inflate_ = false;  ///< or once did
   // This rank's part of the last whole step: given to the fluid, received by points, owed to them before less after, the sum of these, sum of |J|; slip;
   // largest divergence
-  VecD given_{}, received_{}, given_late_{}, owed_balance_{}, balance_{}, last_body_force_{};
-  double last_dt_ = 0.0, exchanged_ = 0.0, marker_gap_ = 0.0, last_marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, max_divergence_ = 0.0;
+  VecD given_{}, received_{}, given_late_{}, owed_balance_{}, balance_{}, last_body_force_{}, given_by_sides_{}, given_by_growth_{};
+  double last_dt_ = 0.0, exchanged_ = 0.0, outflow_ = 0.0, marker_gap_ = 0.0, last_marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, max_divergence_ = 0.0;
   double seconds_in_fluid_ = 0.0, seconds_in_coupling_ = 0.0;
 };
 

@@ -13,9 +13,6 @@ namespace {
 
 using Topology = LAMMPS_NS::FixObjects::Column;
 
-/// Fluid steps over which the acceleration of the fluid inside is smoothed (exponentially); measured in docs/theory.md.
-constexpr double smoothing_steps = 5.0;
-
 /// Share of what an object lacks of its natural area that it may drink in a fluid step, beyond its growth.
 constexpr double made_up_per_step = 0.01;
 
@@ -23,13 +20,15 @@ constexpr double made_up_per_step = 0.01;
 
 template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &object, const Triple &gravity)
 {
-  const ObjectMotion motion = motion_of(object, points_);
-  return_inner_fluid(object, motion, gravity);
+  const ObjectMotion motion = motion_of(object, points_, gravity);
   ring_.place(object, points_, markers_per_point(object), options_.retraction.value_or(markers_->retraction()) * flow_.grid().h);
+  const double h = flow_.grid().h;
+  described_.push_back({motion, inner_fluid_.needs_markers(motion, options_.density * ring_.perimeter() * h / markers_->scale())});
+  if (described_.back().filled) ring_.fill(object, points_, h);
   share_carried_force(object);
   share_owed_impulse(object);
-  open_accounts(object, object.absorbs ? absorption_rate(object) : 0.0);
-  remember_motion(object, motion);
+  open_accounts(object, (object.absorbs ? absorption_rate(object) : -excess_growth(object)) - chord_rate(motion.spin));
+  inner_fluid_.follow(object, motion, points_, dt_before_);
 }
 
 /// So many that their natural distance is no more than the marker gap that was asked for, where the outline's points are farthest apart.
@@ -51,19 +50,17 @@ template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &
   return std::max(1, static_cast<int>(std::ceil(natural / (options_.marker_gap * flow_.grid().h) - 1e-9)));
 }
 
-/// What each ring point feels of the forces that all markers carry, and what the hub does, which goes straight into its law.
+/// What each ring point feels of the forces that all markers carry, and, last, the hub.
 template <int Dim> void CoupledFluid<Dim>::share_carried_force(const ObjectPoints &object)
 {
-  felt_.assign(object.n_ring, VecD{});
-  const int own_hub = points_.own_index(object.hub);
-  double *hub = own_hub >= 0 ? points_.law[own_hub] : nullptr;
+  felt_.assign(object.n_ring + 1, VecD{});
   for (int m = 0; m < object.n_ring * ring_.per_point(); ++m) {
     const auto &marker = ring_.marker(m);
     for (int d = 0; d < Dim; ++d) {
       const double force = points_.carried[object.ring[marker.point]][FluidCarried::FORCE_X + d] / ring_.per_point();
       felt_[marker.point][d] += marker.point_weight() * force;
       felt_[marker.partner][d] += marker.partner_weight() * force;
-      if (hub) hub[FluidLaw::A_X + d] -= marker.share * force;
+      felt_[object.n_ring][d] += marker.share * force;
     }
   }
 }
@@ -73,45 +70,57 @@ template <int Dim> void CoupledFluid<Dim>::share_carried_force(const ObjectPoint
 template <int Dim> void CoupledFluid<Dim>::share_owed_impulse(const ObjectPoints &object)
 {
   if (options_.forcing == ForcingScheme::direct) return;
-  double mass = 0.0, inertia = 0.0, turn = 0.0;
-  VecD centre{}, impulse{};
-  const int first = points_.object_point[object.hub][Topology::SPOKES] == 0.0 ? 0 : -1;  // a hub that only follows takes nothing
-  const auto point = [&](int k) { return k < 0 ? object.hub : object.ring[k]; };
-  for (int k = first; k < object.n_ring; ++k) {
-    mass += points_.mass[point(k)];
-    for (int d = 0; d < Dim; ++d) centre[d] += points_.mass[point(k)] * points_.x[point(k)][d];
-  }
-  for (double &c : centre) c /= mass;
-  for (int k = first; k < object.n_ring; ++k) {
-    const double *x = points_.x[point(k)], rx = x[0] - centre[0], ry = x[1] - centre[1];
-    inertia += points_.mass[point(k)] * (rx * rx + ry * ry);
-    if (k < 0) continue;
-    const double *owed = points_.carried[point(k)] + FluidCarried::OWED_X;
+  const ObjectMotion &motion = described_.back().motion;
+  double turn = 0.0;
+  VecD impulse{};
+  const auto arm = [&](int i, int d) { return points_.x[i][d] - motion.centre[d]; };
+  for_each_bearing(object, points_, [&](int i) {
+    const double *owed = points_.carried[i] + FluidCarried::OWED_X;
     for (int d = 0; d < Dim; ++d) impulse[d] += owed[d];
-    turn += rx * owed[1] - ry * owed[0];
-  }
-  const double spin = turn / inertia;
-  for (int k = first; k < object.n_ring; ++k) {
-    const double *x = points_.x[point(k)], share = points_.mass[point(k)] / dt_;
-    const VecD force{share * (impulse[0] / mass - spin * (x[1] - centre[1])), share * (impulse[1] / mass + spin * (x[0] - centre[0]))};
-    const int own = points_.own_index(point(k));
+    turn += arm(i, 0) * owed[1] - arm(i, 1) * owed[0];
+  });
+  const double spin = turn / motion.inertia;
+  auto felt = felt_.begin();
+  for_each_bearing(object, points_, [&](int i) {
+    const double share = points_.mass[i] / dt_;
+    (*felt)[0] += share * (impulse[0] / motion.mass - spin * arm(i, 1));
+    (*felt)[1] += share * (impulse[1] / motion.mass + spin * arm(i, 0));
+    ++felt;
+  });
+}
+
+/// Over a step a point that turns with its object moves along the chord, spin x r - spin^2 dt/2 r, r from where it is at the beginning, which is where the fluid meets it: taken for
+/// the fluid's velocity there, that would be a flow inwards, which an incompressible inside resists ever harder. To second order in spin dt.
+template <int Dim> double CoupledFluid<Dim>::chord_rate(double spin) const { return 0.5 * spin * spin * dt_; }
+
+template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &object, double absorption_rate)
+{
+  for (int k = 0; k <= object.n_ring; ++k) {
+    const int own = points_.own_index(k < object.n_ring ? object.ring[k] : object.hub);
+    if (own < 0) continue;
+    if (k < object.n_ring || !ring_.inner(k).empty()) {
+      open_account(object, k, own, absorption_rate);
+      continue;
+    }
     for (int d = 0; d < Dim; ++d) {
-      if (k >= 0) felt_[k][d] += force[d];
-      else if (own >= 0) points_.law[own][FluidLaw::A_X + d] -= force[d];
+      points_.law[own][FluidLaw::A_X + d] -= felt_[k][d];
+      points_.carried[own][FluidCarried::OWED_X + d] = 0.0;
     }
   }
 }
 
-template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &object, double absorption_rate)
+template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &object, int k, int own, double absorption_rate)
 {
-  for (int k = 0; k < object.n_ring; ++k) {
-    const int i = points_.own_index(object.ring[k]);
-    if (i < 0) continue;
-    Account account{i, static_cast<int>(leaving_.size()), ring_.per_point(), {}, felt_[k]};
-    for (int d = 0; d < Dim; ++d) account.carried[d] = points_.carried[i][FluidCarried::FORCE_X + d];
-    accounts_.push_back(account);
-    for (int m = k * ring_.per_point(); m < (k + 1) * ring_.per_point(); ++m) add_marker(object, m, absorption_rate);
+  Account account{own, static_cast<int>(leaving_.size()), 0, k < object.n_ring ? ring_.per_point() : 0, {}, felt_[k]};
+  for (int d = 0; d < Dim; ++d) account.carried[d] = points_.carried[own][FluidCarried::FORCE_X + d];
+  for (int m = k * ring_.per_point(); m < k * ring_.per_point() + account.n_carrying; ++m) add_marker(object, m, absorption_rate);
+  for (const auto &marker : ring_.inner(k)) {
+    VecD offset;
+    for (int d = 0; d < Dim; ++d) offset[d] = marker.u[d] - points_.v[own][d] - absorption_rate * (marker.x[d] - ring_.centroid()[d]);
+    send_marker(marker.x, marker.spacing, {}, offset);
   }
+  account.count = static_cast<int>(leaving_.size()) - account.first;
+  accounts_.push_back(account);
 }
 
 /// Where the marker is, what it carries, and c: by how much its velocity differs from its point's.
@@ -120,17 +129,22 @@ template <int Dim> void CoupledFluid<Dim>::add_marker(const ObjectPoints &object
   const auto &marker = ring_.marker(m);
   const int i = object.ring[marker.point];
   marker_gap_ = std::max(marker_gap_, ring_.gap(m) / flow_.grid().h);
-  Arrival arrival{marker.x, {}, ring_.spacing(m)};
-  VecD offset;
+  VecD carried, offset;
   for (int d = 0; d < Dim; ++d) {
-    // The run ends soon, with an error, when it is not.
-    if (!std::isfinite(arrival.x[d])) arrival.x[d] = flow_.grid().origin[d];
-    arrival.carried_impulse[d] = points_.carried[i][FluidCarried::FORCE_X + d] * dt_ / ring_.per_point();
+    carried[d] = points_.carried[i][FluidCarried::FORCE_X + d] * dt_ / ring_.per_point();
     offset[d] = marker.u[d] - points_.v[i][d] - absorption_rate * (marker.x[d] - ring_.centroid()[d]);
   }
-  leaving_.push_back(arrival);
+  send_marker(marker.x, ring_.spacing(m), carried, offset);
+}
+
+template <int Dim> void CoupledFluid<Dim>::send_marker(VecD x, double spacing, const VecD &carried_impulse, const VecD &offset)
+{
+  // The run ends soon, with an error, when it is not.
+  for (int d = 0; d < Dim; ++d)
+    if (!std::isfinite(x[d])) x[d] = flow_.grid().origin[d];
+  leaving_.push_back({x, carried_impulse, spacing});
   offset_.push_back(offset);
-  to_.push_back(slab_of(arrival.x));
+  to_.push_back(slab_of(x));
 }
 
 template <int Dim> int CoupledFluid<Dim>::slab_of(const VecD &x) const
@@ -163,47 +177,6 @@ template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints 
   const double natural =
       (lambda - points_.state[own][FluidState::SWELLING]) / (lambda * dt_before_) + 0.5 * missing * made_up_per_step / dt_;
   return std::clamp(ring_.dilation_rate(), std::min(0.0, natural), std::max(0.0, natural));
-}
-
-/// Force on each point from the fluid inside the object, in shares of mass: rho_f V (a + alpha x r), and the weight it takes away. a is that of the ring, smoothed over
-/// some fluid steps. A force that lags feeds what it is in phase with: taken from all points it would feed the oscillation of hub against ring (the hub moves
-/// against ring and fluid, so the two signs differ), unsmoothed the vibrations of objects in contact.
-template <int Dim>
-void CoupledFluid<Dim>::return_inner_fluid(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity)
-{
-  const double ratio = options_.density * motion.natural_area / motion.mass;
-  for (int k = -1; k < object.n_ring; ++k) {
-    const int image = k < 0 ? object.hub : object.ring[k], i = points_.own_index(image);
-    if (i < 0) continue;
-    double *state = points_.state[i];
-    if (state[FluidState::KNOWS_BEFORE] != 0.0) {
-      const auto smooth = [&](int column, double now, double before) {
-        state[column] += ((now - before) / dt_before_ - state[column]) / smoothing_steps;
-      };
-      smooth(FluidState::ACCELERATION_X, motion.velocity[0], state[FluidState::RING_VELOCITY_X]);
-      smooth(FluidState::ACCELERATION_Y, motion.velocity[1], state[FluidState::RING_VELOCITY_Y]);
-      smooth(FluidState::SPIN_ACCELERATION, motion.spin, state[FluidState::RING_SPIN]);
-    }
-    const double alpha = state[FluidState::SPIN_ACCELERATION];
-    const double ax = state[FluidState::ACCELERATION_X] - alpha * (points_.x[image][1] - motion.centre[1]) - gravity[0];
-    const double ay = state[FluidState::ACCELERATION_Y] + alpha * (points_.x[image][0] - motion.centre[0]) - gravity[1];
-    state[FluidState::BODY_FORCE_X] = ratio * points_.mass[i] * ax;
-    state[FluidState::BODY_FORCE_Y] = ratio * points_.mass[i] * ay;
-  }
-}
-
-template <int Dim> void CoupledFluid<Dim>::remember_motion(const ObjectPoints &object, const ObjectMotion &motion)
-{
-  for (int k = -1; k < object.n_ring; ++k) {
-    const int i = points_.own_index(k < 0 ? object.hub : object.ring[k]);
-    if (i < 0) continue;
-    double *state = points_.state[i];
-    state[FluidState::KNOWS_BEFORE] = 1.0;
-    state[FluidState::RING_VELOCITY_X] = motion.velocity[0];
-    state[FluidState::RING_VELOCITY_Y] = motion.velocity[1];
-    state[FluidState::RING_SPIN] = motion.spin;
-    state[FluidState::SWELLING] = points_.object_point[i][Topology::LAMBDA];
-  }
 }
 
 template class CoupledFluid<2>;

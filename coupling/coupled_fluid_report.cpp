@@ -27,6 +27,15 @@ template <int Dim> typename CoupledFluid<Dim>::VecD CoupledFluid<Dim>::given_to_
   return sum;
 }
 
+template <int Dim> void CoupledFluid<Dim>::note_sides()
+{
+  given_by_sides_ = {};
+  for (const VecD &impulse : flow_.side_impulses_here())
+    for (int d = 0; d < Dim; ++d) given_by_sides_[d] += impulse[d];
+  given_by_growth_ = flow_.source_impulse_here();
+  outflow_ = flow_.outflow_here();
+}
+
 /// The fluid at the markers after the projection, less the velocity that it was forced to.
 template <int Dim> void CoupledFluid<Dim>::measure_slip()
 {
@@ -63,27 +72,37 @@ template <int Dim> FluidReport CoupledFluid<Dim>::report()
   report.kinetic_energy = flow_.kinetic_energy();
   report.step = last_dt_;
   const VecD mean = flow_.mean_velocity();
+  double mass = options_.density * flow_.grid().cell_volume();
+  for (const int cells : flow_.grid().cells) mass *= cells;
   for (int d = 0; d < Dim; ++d) {
     report.mean_velocity[d] = mean[d];
+    report.momentum[d] = mass * mean[d];
     report.driving_force[d] = options_.density * last_body_force_[d];
   }
 
-  double sums[3 + 2 * Dim] = {slip_sum_, slip_count_, exchanged_}, largest[3] = {slip_max_, last_marker_gap_, max_divergence_};
+  double sums[4 + 4 * Dim] = {slip_sum_, slip_count_, exchanged_, outflow_}, largest[3] = {slip_max_, last_marker_gap_, max_divergence_};
   for (int d = 0; d < Dim; ++d) {
-    sums[3 + d] = balance_[d];
-    sums[3 + Dim + d] = received_[d];
+    sums[4 + d] = balance_[d];
+    sums[4 + Dim + d] = received_[d];
+    sums[4 + 2 * Dim + d] = given_by_sides_[d];
+    sums[4 + 3 * Dim + d] = given_by_growth_[d];
   }
-  MPI_Allreduce(MPI_IN_PLACE, sums, 3 + 2 * Dim, MPI_DOUBLE, MPI_SUM, flow_.grid().comm);
+  MPI_Allreduce(MPI_IN_PLACE, sums, 4 + 4 * Dim, MPI_DOUBLE, MPI_SUM, flow_.grid().comm);
   MPI_Allreduce(MPI_IN_PLACE, largest, 3, MPI_DOUBLE, MPI_MAX, flow_.grid().comm);
 
   report.mean_slip = sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
   report.max_slip = largest[0];
   report.marker_gap = largest[1];
   report.max_divergence = largest[2];
+  report.outflow = sums[3];
   double error = 0.0;
   for (int d = 0; d < Dim; ++d) {
-    if (last_dt_ > 0.0) report.force_on_objects[d] = sums[3 + Dim + d] / last_dt_;
-    error = std::max(error, std::abs(sums[3 + d]));
+    if (last_dt_ > 0.0) {
+      report.force_on_objects[d] = sums[4 + Dim + d] / last_dt_;
+      report.force_of_sides[d] = sums[4 + 2 * Dim + d] / last_dt_;
+      report.force_of_growth[d] = sums[4 + 3 * Dim + d] / last_dt_;
+    }
+    error = std::max(error, std::abs(sums[4 + d]));
   }
   if (sums[2] > 0.0) report.momentum_error = error / sums[2];
   return report;

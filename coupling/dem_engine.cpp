@@ -6,6 +6,7 @@
 #include "library.h"
 #include "liggghts_plugins/fix_objects.h"
 #include "liggghts_plugins/fluid_columns.h"
+#include "liggghts_plugins/object_geometry.h"
 
 namespace swellflow {
 
@@ -40,6 +41,11 @@ double **DemEngine::per_atom(const char *id) const
   auto **rows = static_cast<double **>(lammps_extract_fix(lammps_, id, of_atoms, of_rows, 0, 0));
   if (rows == nullptr && n_own_ > 0) throw std::runtime_error(std::string("the per-atom vector '") + id + "' is gone; do not unfix it");
   return rows;
+}
+
+std::vector<Vector2> DemEngine::outline(const ObjectPoints &object) const
+{
+  return LAMMPS_NS::outline_of(static_cast<LAMMPS_NS::LAMMPS *>(lammps_), object);
 }
 
 double DemEngine::time_step() const { return global<double>(lammps_, "dt"); }

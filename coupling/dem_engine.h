@@ -5,6 +5,10 @@
 
 #include <array>
 #include <string>
+#include <vector>
+
+#include "liggghts_plugins/fluid_partner.h"
+#include "liggghts_plugins/objects/vector2.h"
 
 namespace LAMMPS_NS {
 class FixObjects;
@@ -23,6 +27,8 @@ public:
   int n_own() const { return n_own_; }
   /// The own point that i, an own point or a ghost of whatever image, stands for; -1 when another rank owns it.
   int own_index(int i) const;
+  /// The vertices of an object's outline relative to its hub.
+  std::vector<Vector2> outline(const ObjectPoints &object) const;
   double time_step() const;
   MPI_Comm communicator() const;
   std::array<double, 3> box_low() const { return corner("boxxlo", "boxylo", "boxzlo"); }

@@ -24,6 +24,7 @@ double MarkerRing::excess(const ObjectPoints &object, const DemEngine &points, i
 void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int per_point, double retraction)
 {
   per_point_ = per_point;
+  inner_start_.clear();
   markers_.resize(static_cast<std::size_t>(object.n_ring) * per_point);
   from_hub_.resize(markers_.size());
   outline_.resize(markers_.size());
@@ -59,6 +60,13 @@ double MarkerRing::gap(int m) const
 {
   const Vec<2> &a = markers_[m].x, &b = markers_[after(m)].x;
   return std::hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+double MarkerRing::perimeter() const
+{
+  double sum = 0.0;
+  for (int m = 0; m < size(); ++m) sum += gap(m);
+  return sum;
 }
 
 double MarkerRing::dilation_rate() const

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "fluid/side_rows.h"
+
 namespace swellflow {
 
 namespace {
@@ -43,11 +45,9 @@ template <int Dim> void Boundaries<Dim>::require_solvable() const
   }
   if (has_inflow && !has_outflow)
     throw std::invalid_argument("what flows in must be able to leave, but the box has an inflow and no outflow; make a side an outflow");
-  if (has_outflow && !has_inflow)
-    throw std::invalid_argument("an outflow lets out what an inflow brings, but the box has none; make a side an inflow");
 }
 
-// ---- rows of cells along a side --------------------------------------------------------------------------------------------------------------
+// ---- what is given where ---------------------------------------------------------------------------------------------------------------------
 
 template <int Dim> bool BoundaryValues<Dim>::is_here(int side) const
 {
@@ -61,39 +61,6 @@ template <int Dim> bool BoundaryValues<Dim>::is_given(int side, int c) const
   return boundaries_.kind[side] == Boundary::slip ? c == side / 2 : true;
 }
 
-/// Rows of plane k that hold cells of the side: all of them in direction 0 and in the last, one in a middle direction.
-template <int Dim> int BoundaryValues<Dim>::rows_of(int side, int k) const
-{
-  const int d = side / 2;
-  if (d == Dim - 1) return k == (side % 2 ? layout_.planes() - 1 : 0) ? layout_.rows() : 0;
-  return d == 0 ? layout_.rows() : 1;
-}
-
-template <int Dim> std::ptrdiff_t BoundaryValues<Dim>::inner_cell(int side, int k, int r) const
-{
-  const int d = side / 2;
-  if (d == 0) return layout_.row(k, r) + (side % 2 ? layout_.row_length() - 1 : 0);
-  return layout_.row(k, d == Dim - 1 ? r : (side % 2 ? layout_.rows() - 1 : 0));
-}
-
-template <int Dim> std::size_t BoundaryValues<Dim>::index(int side, int k, int r) const
-{
-  const std::size_t row = side / 2 == Dim - 1 ? r : side / 2 == 0 ? static_cast<std::size_t>(k) * layout_.rows() + r : k;
-  return row * cells_in_row(side);
-}
-
-/// f(index of the first value, offset of the first inner cell, number of cells)
-template <int Dim> template <class F> void BoundaryValues<Dim>::each_row_in_plane(int side, int k, F &&f) const
-{
-  for (int r = 0; r < rows_of(side, k); ++r) f(index(side, k, r), inner_cell(side, k, r), cells_in_row(side));
-}
-
-template <int Dim> template <class F> void BoundaryValues<Dim>::each_row(int side, F &&f) const
-{
-  if (!is_here(side)) return;
-  for (int k = 0; k < layout_.planes(); ++k) each_row_in_plane(side, k, f);
-}
-
 // ---- the velocity on the sides ---------------------------------------------------------------------------------------------------------------
 
 template <int Dim>
@@ -102,7 +69,12 @@ BoundaryValues<Dim>::BoundaryValues(const Grid<Dim> &grid, const Layout<Dim> &la
 {
   boundaries_.require_solvable();
   for (int side = 0; side < 2 * Dim; ++side) {
-    has_outflow_ = has_outflow_ || boundaries_.kind[side] == Boundary::outflow;
+    if (boundaries_.kind[side] == Boundary::outflow) {
+      double area = 1.0;
+      for (int d = 0; d < Dim; ++d)
+        if (d != side / 2) area *= grid_.h * grid_.cells[d];
+      outflow_area_ += area;
+    }
     if (!is_here(side)) continue;
     std::size_t count = 0;
     each_row(side, [&](std::size_t, std::ptrdiff_t, int n) { count += n; });
@@ -157,31 +129,26 @@ template <int Dim> void BoundaryValues<Dim>::advance(double dt, const VectorFiel
 {
   for (int side = 0; side < 2 * Dim; ++side)
     if (is_here(side)) set_given(side);
-  if (has_outflow_) carry_out(dt, u);
+  if (has_outflow()) carry_out(dt, u);
 }
 
-/// Into the box through all sides but outflows; area of the outflows. Collective.
-template <int Dim> std::array<double, 2> BoundaryValues<Dim>::through_flow() const
+/// Through all sides but outflows, and within the box. Collective.
+template <int Dim> double BoundaryValues<Dim>::entering() const
 {
   const double area = grid_.cell_volume() / grid_.h;
-  std::array<double, 2> sums{};
+  double sum = 0.0;
   for (int side = 0; side < 2 * Dim; ++side) {
-    if (!is_here(side)) continue;
-    const std::vector<double> &normal = next_[side][side / 2];
-    if (boundaries_.kind[side] == Boundary::outflow)
-      sums[1] += area * static_cast<double>(normal.size());
-    else
-      for (const double v : normal) sums[0] += (side % 2 ? -area : area) * v;
+    if (!is_here(side) || boundaries_.kind[side] == Boundary::outflow) continue;
+    for (const double v : next_[side][side / 2]) sum += (side % 2 ? -area : area) * v;
   }
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 2, MPI_DOUBLE, MPI_SUM, grid_.comm);
-  return sums;
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, grid_.comm);
+  return sum + source_;
 }
 
-// Upwind over half a cell, implicit in the value on the side: stable for any dt.
+// Upwind over half a cell, implicit in the value on the side: stable for any dt. Where fluid is drawn in, the side keeps its velocity, but for the balance.
 template <int Dim> void BoundaryValues<Dim>::carry_out(double dt, const VectorField<Dim> &u)
 {
-  const auto [inflow, outflow_area] = through_flow();
-  const double mean = inflow / outflow_area, courant = 2.0 * mean * dt / grid_.h, area = grid_.cell_volume() / grid_.h;
+  const double inflow = entering(), area = grid_.cell_volume() / grid_.h, courant = 2.0 * std::max(0.0, inflow / outflow_area_) * dt / grid_.h;
   double leaving = 0.0;
   for (int side = 0; side < 2 * Dim; ++side) {
     if (boundaries_.kind[side] != Boundary::outflow) continue;
@@ -195,10 +162,20 @@ template <int Dim> void BoundaryValues<Dim>::carry_out(double dt, const VectorFi
       });
   }
   MPI_Allreduce(MPI_IN_PLACE, &leaving, 1, MPI_DOUBLE, MPI_SUM, grid_.comm);
-  const double correction = (inflow - leaving) / outflow_area;
+  shift_outflows((inflow - leaving) / outflow_area_);
+}
+
+template <int Dim> void BoundaryValues<Dim>::shift_outflows(double change)
+{
   for (int side = 0; side < 2 * Dim; ++side)
     if (boundaries_.kind[side] == Boundary::outflow)
-      for (double &normal : next_[side][side / 2]) normal += side % 2 ? correction : -correction;
+      for (double &normal : next_[side][side / 2]) normal += side % 2 ? change : -change;
+}
+
+template <int Dim> void BoundaryValues<Dim>::let_out(double source)
+{
+  shift_outflows((source - source_) / outflow_area_);
+  source_ = source;
 }
 
 // ---- ghosts ----------------------------------------------------------------------------------------------------------------------------------

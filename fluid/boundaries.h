@@ -14,7 +14,7 @@ enum class Boundary {
   periodic,
   inflow,            ///< velocity given, uniform
   parabolic_inflow,  ///< velocity given in the middle; zero at the ends of the side, times 4 s (1 - s) in each direction along it
-  outflow            ///< du/dt + U_c du/dn = 0, U_c the mean velocity through all outflows; corrected so that as much leaves as enters
+  outflow            ///< du/dt + U_c du/dn = 0, U_c the mean velocity through all outflows; corrected so that as much leaves as enters and appears within
 };
 
 /// Side 2 d is the lower and 2 d + 1 the upper end of direction d.
@@ -37,8 +37,11 @@ public:
   void set_velocity(int side, const Vec<Dim> &velocity);
   /// At the start: the velocity on outflows is that of the cells there.
   void start(const VectorField<Dim> &u);
-  /// The velocities at the end of a step of length dt. Collective where there is an outflow.
+  bool has_outflow() const { return outflow_area_ > 0.0; }
+  /// The velocities at the end of a step of length dt, with sources within the box as they were. Collective where there is an outflow.
   void advance(double dt, const VectorField<Dim> &u);
+  /// Outflows take what appears within the box [length^Dim / time] from now on, this step included: all normal velocities there change by the same.
+  void let_out(double source);
   /// What was the end is the beginning of the next step.
   void end_step() { present_ = next_; }
 
@@ -58,6 +61,7 @@ public:
   void set_faces(VectorField<Dim> &faces) const;
 
 private:
+  template <int> friend class SideImpulses;
   using SideValues = std::array<std::vector<double>, Dim>;
 
   bool is_given(int side, int c) const;
@@ -71,13 +75,14 @@ private:
   double profile(int side, std::size_t index) const;
   void set_given(int side);
   void carry_out(double dt, const VectorField<Dim> &u);
-  std::array<double, 2> through_flow() const;
+  double entering() const;
+  void shift_outflows(double change);
 
   const Grid<Dim> &grid_;
   const Layout<Dim> &layout_;
   Boundaries<Dim> boundaries_;
   std::array<SideValues, 2 * Dim> present_, next_;
-  bool has_outflow_ = false;
+  double outflow_area_ = 0.0, source_ = 0.0;
 };
 
 extern template struct Boundaries<2>;

@@ -32,6 +32,7 @@ template <int Dim> double FlowSolver<Dim>::largest_divergence_here() const
   each_cell([&](std::ptrdiff_t cell) {
     double divergence = 0.0;
     for (int d = 0; d < Dim; ++d) divergence += face_velocity_[d][cell + layout_.stride(d)] - face_velocity_[d][cell];
+    if (sources_) divergence -= grid_.h * sources_->rate()[cell];
     largest = largest_of(largest, std::abs(divergence));
   });
   return largest / grid_.h;

@@ -1,4 +1,6 @@
 // The first half of the fluid's step: right-hand sides, viscous solves, velocities on faces.
+#include <utility>
+
 #include "fluid/flow_faces.h"
 #include "fluid/flow_solver.h"
 
@@ -37,6 +39,8 @@ template <int Dim> void FlowSolver<Dim>::predict_velocity(double dt)
     for (int k = 0; k < layout_.planes(); ++k) sides_.fill_scalar_plane(p_, k, 2, halo_);
     sides_.fill_scalar_ends(p_, 2, halo_);
   }
+  side_impulses_.begin_step(dt, dt_before_, u_, face_velocity_);
+  if (sources_) begin_source_momentum();
   int taken = -1;
   {
     PhaseClock::Scope solves(clock_, PhaseClock::solves);
@@ -61,6 +65,7 @@ template <int Dim> void FlowSolver<Dim>::predict_velocity(double dt)
   for (const int k : {0, layout_.planes()})
     if (inner_faces(k)) each_face_row_below_plane(k, faces);
   sides_.set_faces(face_velocity_);
+  side_impulses_.add_implicit_viscosity(u_star_);
 }
 
 // The right-hand sides of all components in plane k; H^n takes the place of H^(n-1).
@@ -73,9 +78,36 @@ template <int Dim> void FlowSolver<Dim>::predict_plane(int k)
       case Advection::none: predict_row<Advection::none>(k, r); break;
     }
   }
+  if (sources_ && advection_scheme_ != Advection::none) add_source_momentum(k);
   add_forcing_to_cells(k);
   // The known part of the ghosts, twice the velocity on the side, in the implicit half of viscosity.
   for (int c = 0; c < Dim; ++c) sides_.add_given(c, k, fluid_.kinematic_viscosity * dt_ / (grid_.h * grid_.h), u_star_[c]);
+}
+
+template <int Dim> void FlowSolver<Dim>::begin_source_momentum()
+{
+  const double ratio = dt_before_ > 0.0 ? dt_ / dt_before_ : 0.0, before = fluid_.density * grid_.cell_volume() * dt_ * 0.5 * ratio;
+  for (int c = 0; c < Dim; ++c) source_impulse_[c] = -before * std::exchange(source_momentum_[c], 0.0);
+}
+
+/// s u as part of H, by the same steps in time. H is kept as -2 h times itself.
+template <int Dim> void FlowSolver<Dim>::add_source_momentum(int k)
+{
+  const double now = dt_ * (1.0 + (dt_before_ > 0.0 ? 0.5 * dt_ / dt_before_ : 0.0));
+  for (int r = 0; r < layout_.rows(); ++r)
+    for (int c = 0; c < Dim; ++c) {
+      const std::ptrdiff_t o = layout_.row(k, r);
+      const double *source = sources_->rate() + o, *u = u_[c].data() + o;
+      double *out = u_star_[c].data() + o, *kept = advection_[c].data() + o, sum = 0.0;
+      for (int i = 0; i < layout_.row_length(); ++i) {
+        const double brought = source[i] * u[i];
+        out[i] += now * brought;
+        kept[i] -= 2.0 * grid_.h * brought;
+        sum += brought;
+      }
+      source_momentum_[c] += sum;
+      source_impulse_[c] += fluid_.density * grid_.cell_volume() * now * sum;
+    }
 }
 
 template <int Dim> template <Advection scheme> void FlowSolver<Dim>::predict_row(int k, int r)
@@ -136,6 +168,8 @@ template <int Dim> void FlowSolver<Dim>::interpolate_row(int d, std::ptrdiff_t o
 template void FlowSolver<2>::factor_viscous(double);
 template void FlowSolver<2>::predict_velocity(double);
 template void FlowSolver<2>::predict_plane(int);
+template void FlowSolver<2>::begin_source_momentum();
+template void FlowSolver<2>::add_source_momentum(int);
 template void FlowSolver<2>::interpolate_row(int, std::ptrdiff_t, int, int);
 
 }  // namespace swellflow

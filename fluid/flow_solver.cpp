@@ -8,8 +8,9 @@ namespace swellflow {
 
 template <int Dim>
 FlowSolver<Dim>::FlowSolver(const Grid<Dim> &grid, const FluidProperties &fluid, const Boundaries<Dim> &boundaries, Advection advection)
-    : grid_(grid), layout_(grid_), halo_(grid_, layout_), fluid_(fluid), sides_(grid_, layout_, boundaries), advection_scheme_(advection), u_(layout_),
-      u_star_(layout_), face_velocity_(layout_), advection_(layout_), p_(layout_), phi_(layout_), forcing_(grid_, layout_), viscous_(viscous_solvers()),
+    : grid_(grid), layout_(grid_), halo_(grid_, layout_), fluid_(fluid), sides_(grid_, layout_, boundaries),
+      side_impulses_(sides_, grid_, layout_, fluid.density, fluid.kinematic_viscosity, advection), advection_scheme_(advection), u_(layout_), u_star_(layout_),
+      face_velocity_(layout_), advection_(layout_), p_(layout_), phi_(layout_), forcing_(grid_, layout_), viscous_(viscous_solvers()),
       poisson_(std::make_shared<DirectSolver<Dim>>(grid_, layout_, sides_.pressure_ends())), solve_viscous_(layout_, viscous_), solve_poisson_(layout_, {poisson_})
 {
   poisson_->set_operator(0.0, -1.0);
@@ -80,6 +81,13 @@ template <int Dim> void FlowSolver<Dim>::apply_forcing()
   });
 }
 
+template <int Dim> CellSources<Dim> &FlowSolver<Dim>::sources()
+{
+  if (!sources_ && !sides_.has_outflow()) throw std::invalid_argument("what appears within the box must be able to leave, but it has no outflow; make a side an outflow");
+  if (!sources_) sources_.emplace(grid_, layout_);
+  return *sources_;
+}
+
 // ---- projection ------------------------------------------------------------------------------------------------------------------------------
 
 template <int Dim> void FlowSolver<Dim>::divergence_plane(int k)
@@ -95,13 +103,29 @@ template <int Dim> void FlowSolver<Dim>::divergence_plane(int k)
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) row[i] = (d ? row[i] : 0.0) + scale * (face[i + s] - face[i]);
     }
+    if (!sources_) continue;
+    const double *source = sources_->rate() + o;
+    for (int i = 0; i < n; ++i) row[i] -= source[i] / dt_;
   }
 }
 
 template <int Dim> void FlowSolver<Dim>::project(double dt)
 {
+  make_divergence_free(dt);
+  side_impulses_.end_step(p_, face_velocity_);
+  std::swap(u_, u_star_);
+  sides_.end_step();
+  dt_before_ = dt;
+}
+
+template <int Dim> void FlowSolver<Dim>::make_divergence_free(double dt)
+{
   dt_ = dt;
   PhaseClock::Scope phase(clock_, PhaseClock::projection);
+  if (sources_) {
+    sides_.let_out(sources_->total());
+    sides_.set_faces(face_velocity_);
+  }
   const auto faces = [this](int d, std::ptrdiff_t o, int first, int end) { correct_face_row(d, o, first, end); };
   int taken = -1, taken_before = -1;
   {
@@ -128,9 +152,6 @@ template <int Dim> void FlowSolver<Dim>::project(double dt)
   for (const int k : {0, layout_.planes()})
     if (inner_faces(k)) each_face_row_below_plane(k, faces);
   for (const int k : {0, layout_.planes() - 1}) correct_plane(k);
-  std::swap(u_, u_star_);
-  sides_.end_step();
-  dt_before_ = dt;
 }
 
 template <int Dim> void FlowSolver<Dim>::correct_face_row(int d, std::ptrdiff_t o, int first, int end)

@@ -27,7 +27,7 @@ FixFluidIb::FixFluidIb(LAMMPS *lmp, int narg, char **arg, const FluidPartnerFact
   or_stop(lmp, [&] { parse(narg, arg); });
   nevery = 1;
   scalar_flag = vector_flag = 1;
-  size_vector = 14;
+  size_vector = 21;
   global_freq = 1;
   time_depend = 1;
   extscalar = extvector = 0;
@@ -53,7 +53,7 @@ void FixFluidIb::parse(int narg, char **arg)
 
 int FixFluidIb::setmask()
 {
-  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::POST_FORCE | FixConst::END_OF_STEP;
+  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::END_OF_STEP;
 }
 
 /* ----------------------------------------------------------------------
@@ -63,8 +63,8 @@ int FixFluidIb::setmask()
 
 void FixFluidIb::post_create()
 {
-  make_property(FluidLaw::NAME, FluidLaw::N_COLUMNS, false);
-  make_property(FluidImpulse::NAME, FluidImpulse::N_COLUMNS, false);
+  law_ = make_property(FluidLaw::NAME, FluidLaw::N_COLUMNS, true);
+  impulse_ = make_property(FluidImpulse::NAME, FluidImpulse::N_COLUMNS, true);
   carried_ = make_property(FluidCarried::NAME, FluidCarried::N_COLUMNS, true);
   make_property(FluidState::NAME, FluidState::N_COLUMNS, false);
 }
@@ -93,6 +93,7 @@ void FixFluidIb::init()
   require_settings();
   require_integrators();
   or_stop(lmp, [this] { script_->require_variables(lmp); });
+  require_way_out();
   warn_without_resistance();
   if (!partner_) make_partner();
   // LIGGGHTS sorts atoms by the cut-off of the pair style, and stops where there is none.
@@ -115,13 +116,11 @@ void FixFluidIb::make_partner()
   });
 }
 
-void FixFluidIb::setup(int vflag)
+void FixFluidIb::setup(int)
 {
   const FixObjects *known = find_objects(lmp);
   if (known) known->require_whole_objects(*this);
   require_same_step();
-  partner_->weigh(objects(), total_gravity(lmp));
-  post_force(vflag);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -136,24 +135,11 @@ void FixFluidIb::pre_initial_integrate()
   // Ghosts lag half a step behind in velocity. All ranks take part, those without ghosts too.
   comm->forward_comm();
   carried_->do_forward_comm();
-  partner_->begin_step(objects(), drive(), dem_steps_);
-}
-
-void FixFluidIb::post_force(int)
-{
-  const int found = modify->find_fix(FluidState::NAME);
-  double **state = static_cast<FixPropertyAtom *>(modify->fix[found])->array_atom;
-  given_.resize(2 * atom->nlocal);
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int d = 0; d < 2; d++) {
-      given_[2 * i + d] = state[i][FluidState::BODY_FORCE_X + d];
-      atom->f[i][d] += given_[2 * i + d];
-    }
-}
-
-void FixFluidIb::add_given(double *own_xy) const
-{
-  for (std::size_t k = 0; k < std::min<std::size_t>(given_.size(), 2 * atom->nlocal); k++) own_xy[k] += given_[k];
+  impulse_->do_forward_comm();
+  const FluidDrive now = drive();
+  partner_->begin_step(objects(), now, dem_steps_);
+  law_->do_forward_comm();
+  partner_->complete_law(objects_, now);
 }
 
 void FixFluidIb::end_of_step()
@@ -186,6 +172,7 @@ FluidDrive FixFluidIb::drive()
   else
     evaluate();
   drive.gravity = total_gravity(lmp);
+  drive.some_inflate = inflating_swell() != nullptr;
   return drive;
 }
 
@@ -197,9 +184,9 @@ const std::vector<ObjectPoints> &FixFluidIb::objects()
   objects_ = known->objects();
   for (int k = 0; k < modify->nfix; k++) {
     const auto *swell = dynamic_cast<FixSwell *>(modify->fix[k]);
-    if (!swell || !swell->absorbs()) continue;
+    if (!swell) continue;
     for (auto &object : objects_)
-      if (atom->mask[object.hub] & swell->groupbit) object.absorbs = true;
+      if (atom->mask[object.hub] & swell->groupbit) (swell->absorbs() ? object.absorbs : object.inflates) = true;
   }
   return objects_;
 }
@@ -222,7 +209,9 @@ double FixFluidIb::compute_vector(int n)
   const FluidReport &now = report();
   const double values[] = {now.mean_slip, now.max_slip, now.max_divergence, now.cfl, now.kinetic_energy,
                            now.force_on_objects[0], now.force_on_objects[1], now.momentum_error, now.marker_gap,
-                           now.step, now.mean_velocity[0], now.mean_velocity[1], now.driving_force[0], now.driving_force[1]};
+                           now.step, now.mean_velocity[0], now.mean_velocity[1], now.driving_force[0], now.driving_force[1],
+                           now.force_of_sides[0], now.force_of_sides[1], now.momentum[0], now.momentum[1],
+                           now.outflow, now.force_of_growth[0], now.force_of_growth[1]};
   return values[n];
 }
 

@@ -21,9 +21,8 @@ class FixFluidIb : public Fix {
   void post_create() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
-  void setup(int vflag) override;
+  void setup(int) override;
   void pre_initial_integrate() override;
-  void post_force(int) override;
   void end_of_step() override;
   void post_run() override;
   double compute_scalar() override;
@@ -36,8 +35,6 @@ class FixFluidIb : public Fix {
   bool first_dem_step() const { return dem_step_ == 0; }
   bool last_dem_step() const { return dem_step_ + 1 == dem_steps_; }
   bigint whole_steps() const { return whole_steps_; }
-  /// Adds, two values an own atom, what this fix has put into atom->f in this step.
-  void add_given(double *own_xy) const;
 
  private:
   void parse(int narg, char **arg);
@@ -45,6 +42,8 @@ class FixFluidIb : public Fix {
   void require_sides();
   void require_integrators();
   void require_same_step();
+  void require_way_out();
+  const class FixSwell *inflating_swell() const;
   void warn_without_resistance();
   void make_partner();
   FixPropertyAtom *make_property(const char *name, int columns, bool on_ghosts);
@@ -56,9 +55,8 @@ class FixFluidIb : public Fix {
   double box_low_[2], box_high_[2];  // when the line was read
   swellflow::FluidPartnerFactory make_partner_;
   std::unique_ptr<swellflow::FluidPartner> partner_;
-  FixPropertyAtom *carried_ = nullptr;
+  FixPropertyAtom *law_ = nullptr, *impulse_ = nullptr, *carried_ = nullptr;
   std::vector<swellflow::ObjectPoints> objects_;
-  std::vector<double> given_;  // to atom->f in this step, two values an own atom
   PhaseLine phases_;
   double dt_ = 0.0;     // DEM step of the fluid step under way
   int dem_steps_ = 1;   // in the fluid step under way

@@ -8,6 +8,7 @@
 #include "error.h"
 #include "fix_fluid_ib.h"
 #include "fix_objects.h"
+#include "fix_swell.h"
 #include "fluid_columns.h"
 #include "integrators.h"
 #include "modify.h"
@@ -79,6 +80,33 @@ void FixFluidIb::require_integrators()
   if (anywhere[0])
     error->fix_error(FLERR, this, "each object in the fluid needs an integrator that knows the fluid's force, but some have none: "
                                   "add 'fix ID all nve/cds' in place of other nve styles, or 'held' or 'prescribed' for objects that do not move freely");
+}
+
+/* ----------------------------------------------------------------------
+   the fluid is incompressible: what objects push away leaves through an
+   outflow, and what comes in there is what they, or an inflow, give
+------------------------------------------------------------------------- */
+
+const FixSwell *FixFluidIb::inflating_swell() const
+{
+  for (int k = 0; k < modify->nfix; k++)
+    if (const auto *swell = dynamic_cast<FixSwell *>(modify->fix[k]); swell && !swell->absorbs()) return swell;
+  return nullptr;
+}
+
+void FixFluidIb::require_way_out()
+{
+  const FixSwell *inflates = inflating_swell();
+  const bool inflow = script_->has_inflow(), outflow = script_->has_outflow();
+  const std::string place = "fix "s + id + " fluid/ib: ";
+  or_stop(lmp, [&] {
+    if (inflates && !outflow)
+      throw OptionError(place + "objects that swell without drinking push the fluid away, which must be able to leave, but fix " + inflates->id +
+                        " has 'absorb no' and the box has no 'outflow': add 'outflow SIDE', or let the objects drink with 'absorb yes'");
+    if (outflow && !inflow && !inflates)
+      throw OptionError(place + "through an outflow leaves what has come in or what swelling objects push away, but there is an 'outflow', no 'inflow' and no fix swell "
+                        "with 'absorb no', so that nothing would leave: add 'inflow SIDE ...', or make it 'slip' or a wall");
+  });
 }
 
 /* ----------------------------------------------------------------------

@@ -1,13 +1,12 @@
 #include "fix_object_integrator.h"
 
-#include <optional>
-
 #include "atom.h"
 #include "comm.h"
 #include "fix_objects.h"
 #include "fluid_columns.h"
 #include "force.h"
 #include "integrators.h"
+#include "objects/rigid_motion.h"
 #include "options.h"
 #include "update.h"
 
@@ -59,14 +58,18 @@ void FixObjectIntegrator::for_each_member(const ObjectPoints &object, const Visi
 void FixObjectIntegrator::initial_integrate(int)
 {
   swellflow::StepClock::Scope timing(objects_->clock(), swellflow::StepClock::integration);
+  take_back_foreseen();
   collect_outer();
   for (const ObjectPoints &object : objects_->objects()) {
     if (!acts_on(object)) continue;
     const double origin[2] = {atom->x[object.hub][0], atom->x[object.hub][1]};
-    kick_half_a_step(gather(object));
+    const double torque = gather(object);
+    if (impulse_) begin_ahead(object, torque);
+    kick_half_a_step(torque);
     move(object, body_, excess_);
     scatter_positions(object, origin);
     scatter_velocities(object);
+    if (impulse_) foresee_impulse(object);
   }
 }
 
@@ -78,7 +81,64 @@ void FixObjectIntegrator::final_integrate()
     if (!acts_on(object)) continue;
     kick_half_a_step(gather(object));
     scatter_velocities(object);
+    if (impulse_) add_foreseen(object);
   }
+}
+
+/* ----------------------------------------------------------------------
+   half of the fluid's impulse in this step, as it moves the object as a
+   whole, is in the velocities between two steps
+------------------------------------------------------------------------- */
+
+void FixObjectIntegrator::foresee_impulse(const ObjectPoints &object)
+{
+  body_.force = body_.impulse;
+  const swellflow::WholeMotion whole = whole_motion(body_);
+  const swellflow::RigidAcceleration change = rigid_acceleration(body_, whole, 0.0);
+  for_each_member(object, [&](int n, int i) {
+    const int own = objects_->own_index(i);
+    if (own < 0) return;
+    const Vector2 ahead = 0.5 * change.at(body_.x[n] - whole.centre);
+    for (int d = 0; d < 2; d++) impulse_[own][FluidImpulse::AHEAD_X + d] = ahead[d];
+    impulse_[own][FluidImpulse::KNOWS_AHEAD] = 1.0;
+  });
+}
+
+/// A velocity that was given, not computed, is one between two steps too.
+void FixObjectIntegrator::begin_ahead(const ObjectPoints &object, double torque)
+{
+  bool known = false;
+  for_each_member(object, [&](int, int i) {
+    const int own = objects_->own_index(i);
+    known = known || (own >= 0 && impulse_[own][FluidImpulse::KNOWS_AHEAD] != 0.0);
+  });
+  if (known) return;
+  swellflow::WholeMotion whole = whole_motion(body_);
+  const swellflow::RigidAcceleration outer = rigid_acceleration(body_, whole, torque);
+  whole.velocity += update->dt * outer.linear;
+  whole.angular_momentum += update->dt * outer.angular * whole.inertia;
+  const swellflow::RigidAcceleration drag = drag_as_a_whole(body_, whole, update->dt);
+  for (int n = 0; n < body_.size(); n++) body_.v[n] -= 0.5 * update->dt * drag.at(body_.x[n] - whole.centre);
+}
+
+void FixObjectIntegrator::add_foreseen(const ObjectPoints &object)
+{
+  for_each_member(object, [&](int, int i) {
+    const int own = objects_->own_index(i);
+    for (int d = 0; own >= 0 && d < 2; d++) atom->v[own][d] += impulse_[own][FluidImpulse::AHEAD_X + d];
+  });
+}
+
+void FixObjectIntegrator::take_back_foreseen()
+{
+  double **impulse = fluid_columns(lmp, FluidImpulse::NAME);
+  if (!impulse) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit)
+      for (int d = 0; d < 2; d++) {
+        atom->v[i][d] -= impulse[i][FluidImpulse::AHEAD_X + d];
+        impulse[i][FluidImpulse::AHEAD_X + d] = 0.0;
+      }
 }
 
 /// Sets excess_, too. `torque`: of the spheres, which turns the object as a whole in any case.

@@ -1,7 +1,6 @@
 // Moves whole objects: what integrators have in common that must know all points of an object at once.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "fix.h"
@@ -14,7 +13,8 @@ namespace LAMMPS_NS {
 class FixObjects;
 
 /// Each rank with an own point of an object moves the whole object, with the same numbers, and keeps its own points. Outer forces accelerate it by velocity Verlet, half
-/// a step before and half a step after; all else happens in between, in `move`.
+/// a step before and half a step after; all else happens in between, in `move`. In a fluid the velocity at the end of a step has half of the fluid's impulse of the next
+/// one, too, foreseen to be that of this one: else an object that falls steadily would show a velocity that is ahead by half a step of its weight.
 class FixObjectIntegrator : public Fix {
  public:
   FixObjectIntegrator(class LAMMPS *, int, char **);
@@ -49,6 +49,10 @@ class FixObjectIntegrator : public Fix {
 
   bool acts_on(const swellflow::ObjectPoints &object) const;
   void collect_outer();
+  void take_back_foreseen();
+  void begin_ahead(const swellflow::ObjectPoints &object, double torque);
+  void foresee_impulse(const swellflow::ObjectPoints &object);
+  void add_foreseen(const swellflow::ObjectPoints &object);
   double gather(const swellflow::ObjectPoints &object);
   void scatter_positions(const swellflow::ObjectPoints &object, const double *origin);
   void scatter_velocities(const swellflow::ObjectPoints &object);

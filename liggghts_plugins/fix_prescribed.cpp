@@ -19,6 +19,7 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using swellflow::FluidImpulse;
 using swellflow::FluidLaw;
+using swellflow::FluidState;
 using swellflow::ObjectPoints;
 using swellflow::ScriptValue;
 
@@ -163,23 +164,24 @@ void FixPrescribed::advance(double dx, double dy, double turn)
 
 void FixPrescribed::receive_half_a_step()
 {
-  double **law = fluid_columns(lmp, FluidLaw::NAME), **impulse = fluid_columns(lmp, FluidImpulse::NAME);
-  if (!law || !impulse) return;
+  double **law = fluid_columns(lmp, FluidLaw::NAME), **impulse = fluid_columns(lmp, FluidImpulse::NAME), **state = fluid_columns(lmp, FluidState::NAME);
+  if (!law || !impulse || !state) return;
   for (const ObjectPoints &object : objects_->objects()) {
     if (!(atom->mask[object.hub] & groupbit)) continue;
     for_each_own_point(object, [&](int own, int image) {
       const double arm[2] = {atom->x[image][0] - atom->x[object.hub][0], atom->x[image][1] - atom->x[object.hub][1]};
-      receive(own, arm, law[own], impulse[own]);
+      receive(own, arm, law[own], state[own] + FluidState::INNER_FORCE_X, impulse[own]);
     });
   }
 }
 
-void FixPrescribed::receive(int i, const double *arm, const double *law, double *impulse)
+void FixPrescribed::receive(int i, const double *arm, const double *law, const double *inner_force, double *impulse)
 {
-  double received[3];
-  for (int d = 0; d < 3; d++) {
-    received[d] = 0.5 * update->dt * (law[FluidLaw::A_X + d] - law[FluidLaw::KAPPA] * atom->v[i][d]);
-    impulse[d] += received[d];
+  double received[2];
+  for (int d = 0; d < 2; d++) {
+    const double force = law[FluidLaw::A_X + d] - law[FluidLaw::KAPPA] * atom->v[i][d];
+    impulse[d] += 0.5 * update->dt * force;
+    received[d] = 0.5 * update->dt * (force - inner_force[d]);
   }
   under_way_.impulse[0] += received[0];
   under_way_.impulse[1] += received[1];

@@ -41,7 +41,7 @@ class FixPrescribed : public Fix {
   Motion motion_now();
   void advance(double dx, double dy, double turn);
   void receive_half_a_step();
-  void receive(int i, const double *arm, const double *law, double *impulse);
+  void receive(int i, const double *arm, const double *law, const double *inner_force, double *impulse);
   const Values &values();
   template <class Visit> void for_each_own_point(const swellflow::ObjectPoints &object, const Visit &visit) const;
 

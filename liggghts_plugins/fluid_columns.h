@@ -3,16 +3,18 @@
 
 namespace swellflow {
 
-/// The law that gives the fluid's force on a point over the coming DEM steps, force = A - KAPPA v, with KAPPA [mass / time] >= 0.
+/// The law that gives the fluid's force on a point over the coming DEM steps, force = A - KAPPA v, with KAPPA [mass / time] >= 0. Ghosts have it too.
 struct FluidLaw {
   static constexpr const char *NAME = "fluid_law";
   enum Column { KAPPA, A_X, A_Y, A_Z, N_COLUMNS };
 };
 
-/// The impulse that a point truly received from that law since the fluid step began: x, y, z.
+/// The impulse that a point truly received from that law since the fluid step began; and (ghosts know this too) by how much its velocity at the end of a DEM step is ahead of what it
+/// received so far (FixObjectIntegrator).
 struct FluidImpulse {
   static constexpr const char *NAME = "fluid_impulse";
-  static constexpr int N_COLUMNS = 3;
+  enum Column { RECEIVED_X, RECEIVED_Y, RECEIVED_Z, AHEAD_X, AHEAD_Y, KNOWS_AHEAD, N_COLUMNS };
+  static constexpr int N_RECEIVED = 3;  // those with which a fluid step begins anew
 };
 
 /// The force that a point's markers gave to the fluid in the last fluid step and that is carried into the next; and of the impulse behind it the part that came
@@ -29,16 +31,21 @@ struct FluidState {
     HAS_MARKERS,       // 1 while a fluid step is under way that has markers of this point …
     HOME_RANK,         // … which this rank keeps account of …
     HOME_SLOT,         // … in this place
-    KNOWS_BEFORE,      // 1 once the next four are known
-    RING_VELOCITY_X,   // mean over the object's ring when the last fluid step began
-    RING_VELOCITY_Y,
-    RING_SPIN,
+    KNOWS_BEFORE,      // whether the next four are known; 1 in the first fluid step, 2 afterwards
+    VELOCITY_X,        // of the object when the last fluid step began
+    VELOCITY_Y,
+    SPIN,
     SWELLING,          // natural swelling ratio of the object then
-    ACCELERATION_X,    // of the ring, smoothed over fluid steps
-    ACCELERATION_Y,
-    SPIN_ACCELERATION,
-    BODY_FORCE_X,      // inertia of the fluid inside, and buoyancy
-    BODY_FORCE_Y,
+    DUE_X,             // change of velocity and spin for which the inertia of the fluid inside has not been returned yet
+    DUE_Y,
+    DUE_SPIN,
+    RETURNED_X,        // acceleration for which it is returned in the present fluid step
+    RETURNED_Y,
+    RETURNED_SPIN,
+    INNER_FORCE_X,     // of the fluid inside, its inertia and its weight: part of the law
+    INNER_FORCE_Y,
+    INNER_AREA,        // of the hub of an object that inflates: what fluid there is inside; 0: not known yet
+    FILLED,            // of the same: 1 while markers fill it
     N_COLUMNS
   };
 };

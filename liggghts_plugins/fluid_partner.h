@@ -16,6 +16,7 @@ struct ObjectPoints {
   const int *ring;  ///< n_ring indices, counter-clockwise
   int n_ring;
   bool absorbs = false;  ///< it drinks what it swells by: the fluid crosses its outline at the speed of swelling
+  bool inflates = false; ///< it swells and does not drink: it pushes the fluid away
 };
 
 /// What a side of the box does; the sides are in LIGGGHTS' order xlo, xhi, ylo, yhi, zlo, zhi.
@@ -40,6 +41,7 @@ struct FluidDrive {
   std::array<Triple, 6> side_velocity{};  ///< by side: of a wall, of an inflow (parabolic: at its middle)
   Triple body_force{};                  ///< per mass of fluid [length/time^2]; a pressure drop over a periodic box is drop / (density * length)
   Triple mean_velocity{};               ///< asked for in the directions of FluidOptions::controlled
+  bool some_inflate = false;            ///< whether there may be objects anywhere that inflate
 };
 
 /// The fluid as a script describes it. Lengths, times and masses in the units of the script; 2-D is per unit depth.
@@ -52,12 +54,14 @@ struct FluidOptions {
   std::array<SideKind, 6> sides{};                    ///< by side
   std::array<bool, 3> controlled{};                   ///< periodic directions in which the mean velocity is held
   Triple initial_velocity{};                          ///< of all fluid, before the first step
+  std::optional<int> linear_start;                    ///< instead: from the velocity of the wall at the lower end of this direction linearly to that at its upper end
   std::array<Triple, 6> initial_side_velocity{};      ///< by side, then
   AdvectionScheme advection = AdvectionScheme::central;
   ForcingScheme forcing = ForcingScheme::direct;
   int forcing_loops = 1;                              ///< of ForcingScheme::multi
   std::string kernel = "roma_1999";                   ///< roma_1999, peskin_2002, yang_2009
   std::optional<double> retraction;                   ///< of the markers, towards the hub, in cells; none given: that of the kernel
+  int projections = 2;                                ///< in a step: 2 when the prediction is made divergence-free before it meets the markers
   double marker_gap = 1.0;                            ///< largest natural distance of markers along the ring, in cells
 };
 
@@ -70,6 +74,10 @@ struct FluidReport {
   double step = 0.0;             ///< length of the last fluid step
   Triple mean_velocity{};        ///< of the whole box, what is inside objects included
   Triple driving_force{};        ///< body force per volume [pressure/length], that of the flow-rate controller included
+  Triple force_of_sides{};       ///< of all sides of the box on the fluid, in the mean over the step: pressure, shear, and the momentum of what flows through
+  Triple momentum{};             ///< of all fluid in the box, what is inside objects included
+  double outflow = 0.0;          ///< volume that leaves through the sides less what enters, per time
+  Triple force_of_growth{};      ///< momentum that the fluid has which appears inside objects that inflate, per time
 };
 
 /// Wall time of one phase of the step on this rank, since the partner was made.
@@ -93,12 +101,12 @@ struct FieldInfo {
 class FluidPartner {
 public:
   virtual ~FluidPartner() = default;
-  /// Before a run: points that have been in no fluid step yet feel their buoyancy from the start. Collective.
-  virtual void weigh(const std::vector<ObjectPoints> &objects, const Triple &gravity) = 0;
   /// How many DEM steps of length dem_dt the coming fluid step should have: at least 1. `drive`: as it is after one of them. Collective.
   virtual int choose_dem_steps(double dem_dt, const FluidDrive &drive) = 0;
   /// Before the first of dem_steps DEM steps: the fluid is predicted and the points' drag law for these steps is set. Collective.
   virtual void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) = 0;
+  /// Then, when ghosts have that law: the fluid inside each object becomes part of it.
+  virtual void complete_law(const std::vector<ObjectPoints> &objects, const FluidDrive &drive) = 0;
   /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Collective.
   virtual void finish_step(const std::vector<ObjectPoints> &objects) = 0;
   virtual FluidReport report() = 0;  ///< of the last whole fluid step; collective

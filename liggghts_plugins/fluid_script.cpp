@@ -38,6 +38,7 @@ FluidScript::FluidScript(Arguments &line, const Box &box) : place_(line.place())
   declare_method(options);
   options.parse(line);
   check(line, options);
+  if (starts_linear_) options_.linear_start = direction_between_walls(line);
 }
 
 // ---- keywords --------------------------------------------------------------------------------------------------------------------------------
@@ -68,8 +69,8 @@ void FluidScript::declare_driving(Options &options)
   options.custom("pressure_drop", [&](Arguments &words) { pressure_drop_ = read_pair(words, "pressure_drop", "pressure"); },
                  "DPX DPY: fall of pressure across the periodic box");
   options.custom("mean_velocity", [&](Arguments &words) { read_mean_velocity(words); }, "DIR U: mean velocity of the box that is held").repeatable();
-  options.custom("initial_velocity", [&](Arguments &words) { initial_velocity_ = read_pair(words, "initial_velocity", "length/time"); },
-                 "VX VY: of all fluid at the start");
+  options.custom("initial_velocity", [&](Arguments &words) { read_initial_velocity(words); },
+                 "VX VY or linear: of all fluid at the start, or between that of two walls");
 }
 
 void FluidScript::declare_method(Options &options)
@@ -89,6 +90,7 @@ void FluidScript::declare_method(Options &options)
     if (words.next_is_number()) options_.retraction = words.number("retraction", Range::not_negative(), "cells");
     else words.choice("retraction", {"kernel"});
   }, "R cells, or 'kernel': of the markers, from the ring point towards the hub");
+  options.custom("projections", [&](Arguments &words) { options_.projections = 1 + words.choice("projections", {"1", "2"}); }, "1 or 2: whether markers meet a fluid that is divergence-free");
   options.number("marker_gap", options_.marker_gap, Range::positive(), "cells", "largest natural distance of markers along a ring");
 }
 
@@ -114,6 +116,18 @@ void FluidScript::read_mean_velocity(Arguments &line)
   mean_velocity_[d] = ScriptValue::read(line, "mean_velocity " + directions[d], "length/time");
 }
 
+void FluidScript::read_initial_velocity(Arguments &line)
+{
+  if (line.empty() || line.next_is_number() || line.peek().starts_with("v_")) {
+    initial_velocity_ = read_pair(line, "initial_velocity", "length/time");
+    return;
+  }
+  const std::string word = line.word("initial_velocity");
+  if (word != "linear")
+    line.fail("'initial_velocity' must be 'linear', or two numbers (length/time) or v_NAME of equal-style variables, but it is '" + word + "': change it");
+  starts_linear_ = true;
+}
+
 // ---- rules -----------------------------------------------------------------------------------------------------------------------------------
 
 bool FluidScript::has(SideKind kind) const
@@ -135,14 +149,34 @@ void FluidScript::check(const Arguments &line, const Options &options) const
   check_driving(line);
 }
 
-/// The fluid is incompressible: what enters must leave.
+bool FluidScript::moves(int side) const
+{
+  const Pair &velocity = side_velocity_[side];
+  return options_.sides[side] == SideKind::wall && std::any_of(velocity.begin(), velocity.end(), [](const ScriptValue &v) { return !v.is_zero(); });
+}
+
+/// A flow can begin linear across a pair of walls when no other pair drags the fluid along. A wall whose velocity is a variable counts as one that moves.
+int FluidScript::direction_between_walls(const Arguments &line) const
+{
+  const std::string rule = "'initial_velocity linear' lies between two walls that face each other, of which no others move, but ";
+  const std::string remedy = ": change the sides, or give the initial velocity as VX VY";
+  int between = -1, moving = -1;
+  for (int d = 0; d < DIM; d++) {
+    const int lower = 2 * d, upper = lower + 1;
+    const bool move = moves(lower) || moves(upper), face = options_.sides[lower] == SideKind::wall && options_.sides[upper] == SideKind::wall;
+    if (move && moving >= 0) line.fail(rule + "walls move in x and in y" + remedy);
+    if (move && !face) line.fail(rule + side_names[moves(lower) ? lower : upper] + " moves and " + side_names[moves(lower) ? upper : lower] + " is no wall" + remedy);
+    if (move) moving = d;
+    if (move || (face && moving < 0)) between = d;
+  }
+  if (between < 0) line.fail(rule + "there are none" + remedy);
+  return between;
+}
+
+/// The fluid is incompressible: what enters must leave. What an outflow is for the fix knows when all of the scene is there.
 void FluidScript::check_flow_through(const Arguments &line) const
 {
-  const bool inflow = has(SideKind::inflow) || has(SideKind::parabolic_inflow), outflow = has(SideKind::outflow);
-  if (inflow && !outflow) line.fail("what flows in must leave, but there is an 'inflow' and no side to leave through: add 'outflow SIDE'");
-  if (outflow && !inflow)
-    line.fail("through an outflow leaves what has come in, but there is an 'outflow' and no 'inflow', so that nothing would leave: "
-              "add 'inflow SIDE ...', or make it 'slip' or a wall");
+  if (has_inflow() && !has_outflow()) line.fail("what flows in must leave, but there is an 'inflow' and no side to leave through: add 'outflow SIDE'");
 }
 
 void FluidScript::check_driving(const Arguments &line) const

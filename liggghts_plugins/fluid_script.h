@@ -23,7 +23,7 @@ public:
   /// Reads the whole line. Throws OptionError.
   FluidScript(Arguments &line, const Box &box);
 
-  /// All but the initial velocity.
+  /// All but the initial velocities of the fluid and its sides.
   const FluidOptions &options() const { return options_; }
   /// Throws OptionError when a variable is not there.
   void require_variables(LAMMPS_NS::LAMMPS *lmp) const;
@@ -33,6 +33,8 @@ public:
   Triple initial_velocity(LAMMPS_NS::LAMMPS *lmp) const;
   /// Whether a force acts along a periodic direction and no side resists.
   bool is_driven_without_resistance() const;
+  bool has_inflow() const { return has(SideKind::inflow) || has(SideKind::parabolic_inflow); }
+  bool has_outflow() const { return has(SideKind::outflow); }
 
 private:
   static constexpr int DIM = 2, N_SIDES = 2 * DIM;
@@ -43,11 +45,14 @@ private:
   void declare_method(Options &options);
   int read_side(Arguments &line, const std::string &keyword);
   void read_mean_velocity(Arguments &line);
+  void read_initial_velocity(Arguments &line);
   void check(const Arguments &line, const Options &options) const;
   void check_flow_through(const Arguments &line) const;
   void check_driving(const Arguments &line) const;
+  int direction_between_walls(const Arguments &line) const;
   std::string what_is_wrong_with(int side, double normal_velocity) const;
   bool has(SideKind kind) const;
+  bool moves(int side) const;
   bool is_driven(int d) const { return !body_force_[d].is_zero() || !pressure_drop_[d].is_zero(); }
   template <class Visit> void for_each_value(const Visit &visit) const;
 
@@ -55,6 +60,7 @@ private:
   Box box_;
   FluidOptions options_;
   std::array<bool, N_SIDES> named_{};
+  bool starts_linear_ = false;
   std::array<Pair, N_SIDES> side_velocity_;
   Pair body_force_, pressure_drop_, mean_velocity_, initial_velocity_;
 };

@@ -71,6 +71,10 @@ def flow_stokes_channel():
                                      for setting, k in (("inflow", 0.1), ("inflow", 0.25), ("inflow", 0.5), ("periodic", 0.25), ("moving", 0.25))])
 
 
+def close_contact():
+    return all_of("close_contact", [("close_contact", f"{met}_{cells}", {"with": met, "cells": cells}) for met in ("wall", "disc") for cells in (10, 20)])
+
+
 def flow_schaefer_turek():
     return all_of("schaefer_turek", [("schaefer_turek", "cells100", {"cells": 100, "t_end": 20})])
 
@@ -83,18 +87,65 @@ def flow_cylinder_shedding():
     return all_of("cylinder", [("cylinder", "re100", {"re": 100, "cells": 32})])
 
 
+def shear_rotation():
+    return all_of("shear_rotation", [("shear_rotation", f"{motion}_{k}", {"motion": motion, "k": k})
+                                     for motion, k in (("rigid", 0.1), ("rigid", 0.25), ("rigid", 0.5), ("implicit", 0.25), ("explicit", 0.25))])
+
+
+def couette_migration():
+    return all_of("couette_migration", [("couette_migration", f"{motion}_{cells}", {"motion": motion, "cells": cells})
+                                        for motion, cells in (("rigid", 64), ("rigid", 128), ("implicit", 64))])
+
+
 def hydrogel():
     return all_of("hydrogel", [("hydrogel", form, {"law": form}) for form in ("printed", "reconstructed")], ranks=1)
+
+
+def sedimentation():
+    return all_of("sedimentation", [("sedimentation", name, variables) for name, variables in (
+        ("a_100", {}), ("a_100_implicit", {"integrator": "nve/cds implicit"}), ("a_100_explicit", {"integrator": "nve/cds", "every": 200}),
+        ("a_200", {"cells": 200}), ("b_100", {"diameter": 0.5}), ("c_100", {"growth": 0.25}), ("c_100_implicit", {"growth": 0.25, "integrator": "nve/cds implicit"}))])
+
+
+def sedimentation_mesh():
+    return all_of("sedimentation", [("sedimentation", "a_300", {"cells": 300})])
+
+
+def density_ratios():
+    runs = []
+    for density in (0.01, 0.1, 0.5, 0.9, 1, 1.0001, 1.1, 10, 1000):
+        substeps = round(400 * max(1.0, density**-0.5))  # the explicit limit falls with the masses
+        for name, variables in (("rigid", {}), ("rigid_re10", {"re": 10}), ("implicit", {"integrator": "nve/cds implicit"}),
+                                ("implicit_re10", {"integrator": "nve/cds implicit", "re": 10}), ("explicit", {"integrator": "nve/cds", "every": substeps})):
+            runs.append(("density_ratio", f"{name}_{density}", {"density": density, "reading": 10 if density == 1000 else 1, **variables}))
+    return all_of("density_ratio", runs)
+
+
+def elastic_ring():
+    return all_of("elastic_ring", [("elastic_ring", "cells8", {"t_end": 20}), ("elastic_ring", "cells12", {"across": 12}), ("elastic_ring", "ratio2", {"ratio": 2})])
+
+
+def capsule():
+    return all_of("capsule", [("capsule", f"ca{Ca}", {"Ca": Ca, "t_end": t_end}) for Ca, t_end in ((0.01, 4), (0.05, 10), (0.1, 10))]
+                  + [("capsule", "ca0.05_ratio10", {"ratio": 10, "across": 8}), ("capsule", "ca0.05_re0.0025", {"reynolds": 0.0025, "across": 8})])
 
 
 PARTS = {
     "cavity_stiff": (cavity_stiff, "the paper's cavity with k_s = 1000, to t = 110"),
     "cavity_soft": (cavity_soft, "the paper's cavity with k_s = 100, to t = 110"),
     "hydrogel": (hydrogel, "the paper's bead over 9.7 hours, by both forms of its law"),
+    "sedimentation": (sedimentation, "the paper's falling disc, cases A, B and C, rigid and soft, 100 and 200 cells"),
+    "sedimentation_mesh": (sedimentation_mesh, "its case A with 100, 200 and 300 cells"),
+    "density_ratios": (density_ratios, "a disc of density ratio 0.01 to 1000 comes to one velocity"),
+    "elastic_ring": (elastic_ring, "an elastic ring that relaxes in creeping flow, against the closed form"),
+    "capsule": (capsule, "a capsule in shear, Ca 0.01 to 0.1, against the boundary integral solution"),
     "flow_cavity": (flow_cavity, "lid-driven cavity, Re 10 to 1000, against published extrema"),
     "flow_channel": (flow_channel, "Poiseuille and Couette, driven in every way, along x and along y"),
     "flow_arrays": (flow_arrays, "creeping flow through square arrays of discs, with refinement and time steps"),
     "flow_stokes_channel": (flow_stokes_channel, "creeping flow around a cylinder between walls"),
+    "shear_rotation": (shear_rotation, "free discs in creeping shear turn at the exact rate"),
+    "couette_migration": (couette_migration, "a free disc in Couette flow follows the published path, 16 and 32 cells across it"),
+    "close_contact": (close_contact, "discs pushed towards a wall and each other in creeping flow"),
     "flow_schaefer_turek": (flow_schaefer_turek, "benchmark 2D-1, 100 cells across the cylinder"),
     "flow_cylinder_steady": (flow_cylinder_steady, "cylinder in a stream, Re 20 and 40"),
     "flow_cylinder_shedding": (flow_cylinder_shedding, "cylinder in a stream, Re 100, 32 cells across it"),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "orientation.h"
+#include "rigid_motion.h"
 
 namespace swellflow {
 
@@ -73,17 +74,20 @@ bool ImplicitSprings::solve(PointBody &body, const SpringSet &springs, const std
   return true;
 }
 
-/// The body as it would turn and deform by its velocities; or only turn, when it would go too far.
+/// The body as it would turn and deform by its velocities; or only turn, when it would go too far. In a fluid it goes as a rigid body would, so that what is left to be found is small
+/// against its size also where weight and buoyancy are large and all but cancel.
 void ImplicitSprings::guess(const PointBody &body, const SpringSet &springs, const std::vector<Vector2> &g, double dt, const WholeMotion &before)
 {
   const int n = body.size();
-  const double spin = before.spin(), c = std::cos(dt * spin), s = std::sin(dt * spin);
+  const RigidAcceleration drag = body.in_fluid() ? drag_as_a_whole(body, before, dt) : RigidAcceleration{};
+  const Vector2 way = dt * (before.velocity + theta_ * dt * drag.linear);
+  const double spin = before.spin() + theta_ * dt * drag.angular, c = std::cos(dt * spin), s = std::sin(dt * spin);
   double farthest = 0.0;
   x1_.resize(n);
   trial_.resize(n);
   for (int i = 0; i < n; ++i) {
-    const Vector2 r = x0_[i] - before.centre, deformation = dt * (v0_[i] - before.velocity - turned(spin, r));
-    trial_[i] = before.centre + dt * before.velocity + rotated(c, s, r);
+    const Vector2 r = x0_[i] - before.centre, deformation = dt * (v0_[i] - before.velocity - turned(before.spin(), r));
+    trial_[i] = before.centre + way + rotated(c, s, r);
     x1_[i] = trial_[i] + rotated(c, s, deformation);
     farthest = std::max(farthest, deformation.squaredNorm());
   }

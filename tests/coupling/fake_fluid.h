@@ -24,7 +24,7 @@ class FakeFluid : public swellflow::FluidPartner {
 public:
   FakeFluid(LAMMPS_NS::LAMMPS *lmp, FluidTalk &talk) : lmp_(lmp), talk_(talk) {}
 
-  void weigh(const std::vector<swellflow::ObjectPoints> &, const swellflow::Triple &) override {}
+  void complete_law(const std::vector<swellflow::ObjectPoints> &, const swellflow::FluidDrive &) override {}
   int choose_dem_steps(double, const swellflow::FluidDrive &) override { return talk_.dem_steps[talk_.begun.size() % talk_.dem_steps.size()]; }
   void begin_step(const std::vector<swellflow::ObjectPoints> &, const swellflow::FluidDrive &drive, int dem_steps) override
   {
@@ -48,6 +48,10 @@ public:
     report.step = 7.0;
     report.mean_velocity = {8.0, 9.0, 0.0};
     report.driving_force = {10.0, 11.0, 0.0};
+    report.force_of_sides = {12.0, 13.0, 0.0};
+    report.momentum = {14.0, 15.0, 0.0};
+    report.outflow = 16.0;
+    report.force_of_growth = {17.0, 18.0, 0.0};
     return report;
   }
   swellflow::FieldBlock field_block() const override { return {}; }

@@ -29,7 +29,7 @@ public:
   static double pressure(int i, int j) { return 100.0 * i + j; }
   static Vec3 velocity(int i, int j) { return {0.1 * i, std::sin(j), 0.0}; }
 
-  void weigh(const std::vector<ObjectPoints> &, const Triple &) override {}
+  void complete_law(const std::vector<ObjectPoints> &, const FluidDrive &) override {}
   int choose_dem_steps(double, const FluidDrive &) override { return 1; }
   void begin_step(const std::vector<ObjectPoints> &, const FluidDrive &, int) override {}
   void finish_step(const std::vector<ObjectPoints> &) override {}

@@ -201,7 +201,7 @@ TEST(Boundaries, RefuseWhatNoFlowCanObey)
   boundaries.velocity[0] = {-1.0, 0.0};
   EXPECT_NE(refused(boundaries).find("into the box"), std::string::npos);
   EXPECT_NE(refused(sides(Boundary::periodic, Boundary::wall, Boundary::wall, Boundary::wall)).find("two periodic sides"), std::string::npos);
-  EXPECT_NE(refused(sides(Boundary::wall, Boundary::outflow, Boundary::wall, Boundary::wall)).find("inflow"), std::string::npos);
+  EXPECT_EQ(refused(sides(Boundary::wall, Boundary::outflow, Boundary::wall, Boundary::wall)), "");
 }
 
 }  // namespace

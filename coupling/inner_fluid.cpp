@@ -1,0 +1,98 @@
+#include "coupling/inner_fluid.h"
+
+#include "liggghts_plugins/fix_objects.h"
+#include "liggghts_plugins/fluid_columns.h"
+
+namespace swellflow {
+
+namespace {
+
+/// Fluid steps over which a difference between foreseen and true motion is made up for (exponentially).
+constexpr double smoothing_steps = 5.0;
+
+/// By how much of the layer's mass the object may be lighter than the fluid inside; measured in docs/theory.md.
+constexpr double bearable_share = 0.25;
+
+/// visit(own point, the image of it that is nearest to the hub)
+template <class Visit> void for_each_own_bearing(const ObjectPoints &object, const DemEngine &points, const Visit &visit)
+{
+  for_each_bearing(object, points, [&](int image) {
+    const int own = points.own_index(image);
+    if (own >= 0) visit(own, image);
+  });
+}
+
+}  // namespace
+
+bool InnerFluid::needs_markers(const ObjectMotion &motion, double layer_mass) const
+{
+  return mass(motion) - motion.mass > bearable_share * layer_mass;
+}
+
+void InnerFluid::follow(const ObjectPoints &object, const ObjectMotion &motion, const DemEngine &points, double dt_before) const
+{
+  const double now[] = {motion.velocity[0], motion.velocity[1], motion.spin};
+  for_each_own_bearing(object, points, [&](int own, int) {
+    double *state = points.state[own];
+    for (int c = 0; c < 3; ++c) {
+      if (state[FluidState::KNOWS_BEFORE] != 0.0)
+        state[FluidState::DUE_X + c] += now[c] - state[FluidState::VELOCITY_X + c] - state[FluidState::RETURNED_X + c] * dt_before;
+      state[FluidState::VELOCITY_X + c] = now[c];
+    }
+    state[FluidState::KNOWS_BEFORE] = state[FluidState::KNOWS_BEFORE] == 0.0 ? 1.0 : 2.0;
+    state[FluidState::SWELLING] = points.object_point[own][LAMMPS_NS::FixObjects::LAMBDA];
+  });
+}
+
+/// sum of kappa over the points, as it resists a rigid motion, times dt; and dt times the sum of the law's forces and torques at the present velocities.
+InnerFluid::Drag InnerFluid::drag_of(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity, double dt, const DemEngine &points)
+{
+  Drag drag;
+  for_each_bearing(object, points, [&](int i) {
+    const double rx = points.x[i][0] - motion.centre[0], ry = points.x[i][1] - motion.centre[1], kappa = points.law[i][FluidLaw::KAPPA];
+    const Vec<2> v = drift_velocity(points, i, gravity);
+    const double fx = points.law[i][FluidLaw::A_X] - kappa * v[0], fy = points.law[i][FluidLaw::A_Y] - kappa * v[1];
+    drag.impulse += dt * Eigen::Vector3d(fx, fy, rx * fy - ry * fx);
+    drag.mass += dt * kappa * Eigen::Matrix3d{{1.0, 0.0, -ry}, {0.0, 1.0, rx}, {-ry, rx, rx * rx + ry * ry}};
+  });
+  return drag;
+}
+
+/// As a rigid body: (M - rho_f V) (V1 - V0) = dt [ sum (a - kappa u) + (M - rho_f V) g ], u = V1 + W1 x r + what points have beyond that now; the same with torques.
+Eigen::Vector3d InnerFluid::foresee(const Drag &drag, const ObjectMotion &motion, const Triple &gravity, double dt) const
+{
+  const double excess = 1.0 - mass(motion) / motion.mass;
+  const Eigen::Vector3d excess_mass(excess * motion.mass, excess * motion.mass, excess * motion.inertia);
+  const Eigen::Matrix3d A = drag.mass + Eigen::Matrix3d(excess_mass.asDiagonal());
+  const Eigen::Vector3d change = A.ldlt().solve(drag.impulse + dt * excess_mass.cwiseProduct(Eigen::Vector3d(gravity[0], gravity[1], 0.0)));
+  return change.allFinite() ? Eigen::Vector3d(change / dt) : Eigen::Vector3d::Zero();
+}
+
+/// When the two meet, the fluid inside moves as that around, not as the object does: what it lacks.
+Eigen::Vector3d InnerFluid::lacking(const Drag &drag) const
+{
+  const Eigen::Vector3d lacking = -drag.mass.ldlt().solve(drag.impulse);
+  return lacking.allFinite() ? lacking : Eigen::Vector3d::Zero();
+}
+
+void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &motion, bool has_markers, const Triple &gravity, double dt, const DemEngine &points) const
+{
+  const Drag drag = drag_of(object, motion, gravity, dt, points);
+  const Eigen::Vector3d foreseen = has_markers ? Eigen::Vector3d::Zero() : foresee(drag, motion, gravity, dt);
+  const Eigen::Vector3d at_first = lacking(drag);
+  for_each_own_bearing(object, points, [&](int own, int image) {
+    double *state = points.state[own], *a = state + FluidState::RETURNED_X;
+    if (state[FluidState::KNOWS_BEFORE] == 1.0)
+      for (int c = 0; c < 3; ++c) state[FluidState::DUE_X + c] = at_first[c];
+    for (int c = 0; c < 3; ++c) a[c] = foreseen[c] + state[FluidState::DUE_X + c] / (smoothing_steps * dt);
+    const double rx = points.x[image][0] - motion.centre[0], ry = points.x[image][1] - motion.centre[1];
+    const double share = mass(motion) / motion.mass * points.mass[own];
+    const double force[] = {share * (a[0] - a[2] * ry - gravity[0]), share * (a[1] + a[2] * rx - gravity[1])};
+    for (int d = 0; d < 2; ++d) {
+      state[FluidState::INNER_FORCE_X + d] = force[d];
+      points.law[own][FluidLaw::A_X + d] += force[d];
+    }
+  });
+}
+
+}  // namespace swellflow

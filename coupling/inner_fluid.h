@@ -1,0 +1,43 @@
+// The fluid inside an object: it is fluid of the solver, with inertia and weight of its own, which the object must not have twice.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "coupling/dem_engine.h"
+#include "coupling/object_motion.h"
+#include "liggghts_plugins/fluid_partner.h"
+
+namespace swellflow {
+
+/// The points bear the whole mass M of their object; so that it moves with the inertia and the weight of M - rho_f V, V its natural area, the points get the force
+/// rho_f V (a + alpha x r - g) in shares of mass (Uhlmann 2005, eqs. 17 to 24: a solid body whose inside is fluid). a and alpha are those of the coming fluid step as
+/// gravity and the fluid's law make them; what they were off the motion that came of it is made up for over the next steps. docs/theory.md has the measurements.
+/// 2-D, per unit depth.
+class InnerFluid {
+public:
+  explicit InnerFluid(double density) : density_(density) {}
+
+  /// Whether the fluid inside is too heavy for the layer that the markers on the outline move at once (its mass per unit depth, rho_f times perimeter times h /
+  /// beta), so that it must be moved by markers of its own.
+  bool needs_markers(const ObjectMotion &motion, double layer_mass) const;
+  /// Takes note of the velocity and the natural size of the object when a fluid step begins; dt_before: the length of the last one.
+  void follow(const ObjectPoints &object, const ObjectMotion &motion, const DemEngine &points, double dt_before) const;
+  /// Adds the force to the law of own points, for a step of length dt. All points, ghosts too, need the law without it. `has_markers`: the fluid inside has markers.
+  /// It then follows at once: nothing is foreseen.
+  void return_inertia(const ObjectPoints &object, const ObjectMotion &motion, bool has_markers, const Triple &gravity, double dt, const DemEngine &points) const;
+
+private:
+  /// In x, y and about the centre.
+  struct Drag {
+    Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
+  };
+  double mass(const ObjectMotion &motion) const { return density_ * motion.natural_area; }
+  static Drag drag_of(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity, double dt, const DemEngine &points);
+  Eigen::Vector3d foresee(const Drag &drag, const ObjectMotion &motion, const Triple &gravity, double dt) const;
+  Eigen::Vector3d lacking(const Drag &drag) const;
+
+  double density_;
+};
+
+}  // namespace swellflow
