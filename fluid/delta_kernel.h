@@ -18,7 +18,7 @@ namespace swellflow {
 //            exact one, as the wake of a cylinder wants it. Measured in docs/theory.md
 //   phi(r)   r in cells
 //   weights(r, w)   phi at the `width` points around a marker that lies r beyond the anchor
-// and partition of unity and zero first moment at every offset.
+// and partition of unity and zero first moment at every offset. One that is not the same in all directions has two of them, Along and Across, in their place.
 
 /// Three-point kernel of Roma, Peskin & Berger (J. Comput. Phys. 153, 1999, eq. 22), with sum of squares 1/2 wherever it is centred.
 struct Roma1999 {
@@ -108,6 +108,62 @@ private:
     const double s = 1.0 - 2.0 * r;
     return s / 16.0 * std::sqrt(1.0 + 12.0 * r * (1.0 - r)) + std::numbers::sqrt3 / 12.0 * std::asin(0.5 * std::numbers::sqrt3 * s);
   }
+};
+
+/// B-spline of second degree. Written for the four points of the cubic one, of which one beside the three has no share.
+struct QuadraticBSpline {
+  static constexpr int width = 4, anchor = 1;
+  static constexpr double radius = 1.5;
+
+  static double phi(double r)
+  {
+    r = std::abs(r);
+    if (r >= 1.5) return 0.0;
+    return r >= 0.5 ? 0.5 * (1.5 - r) * (1.5 - r) : 0.75 - r * r;
+  }
+
+  static void weights(double r, double *w)
+  {
+    const int first = r < 0.5 ? 0 : 1;
+    const double s = r - first;
+    w[first ? 0 : 3] = 0.0;
+    w[first] = 0.5 * (0.5 - s) * (0.5 - s);
+    w[first + 1] = 0.75 - s * s;
+    w[first + 2] = 0.5 * (0.5 + s) * (0.5 + s);
+  }
+};
+
+/// B-spline of third degree; its slope is the difference of two quadratic ones: phi'(r) = phi_2(r + 1/2) - phi_2(r - 1/2).
+struct CubicBSpline {
+  static constexpr int width = 4, anchor = 1;
+  static constexpr double radius = 2.0;
+
+  static double phi(double r)
+  {
+    r = std::abs(r);
+    if (r >= 2.0) return 0.0;
+    return r >= 1.0 ? (2.0 - r) * (2.0 - r) * (2.0 - r) / 6.0 : (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0;
+  }
+
+  static void weights(double r, double *w)
+  {
+    const double s = 1.0 - r;
+    w[0] = s * s * s / 6.0;
+    w[1] = (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0;
+    w[2] = (4.0 - 6.0 * s * s + 3.0 * s * s * s) / 6.0;
+    w[3] = r * r * r / 6.0;
+  }
+};
+
+/// Composite B-splines of Gruninger & Griffith (J. Comput. Phys. 546, 114472, 2025), BS4BS3: cubic in the direction of the velocity component, quadratic across it. What it
+/// makes of face velocities without divergence has none between the faces either, du/dx + dv/dy = 0 by the relation of the two splines: no fluid is lost through
+/// a closed outline that moves with it. `scale` is the mean of those of the two components, 151/315 and 11/20.
+struct Gruninger2025 {
+  using Along = CubicBSpline;
+  using Across = QuadraticBSpline;
+  static constexpr int width = 4, anchor = 1;
+  static constexpr double scale = 0.5 * (151.0 / 315.0 + 11.0 / 20.0);
+  static constexpr double retraction = 0.27;
 };
 
 }  // namespace swellflow

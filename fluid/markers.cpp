@@ -28,6 +28,12 @@ private:
   };
 
   double in_cells(const Vec<Dim> &position, int d) const;
+  static void weigh(bool along, double r, double *w)
+  {
+    if constexpr (!requires { typename Kernel::Across; }) Kernel::weights(r, w);
+    else if (along) Kernel::Along::weights(r, w);
+    else Kernel::Across::weights(r, w);
+  }
   void place_component(const Vec<Dim> &x, int c, Stencil &stencil) const;
   static void leave_out_walls(int first, int lowest, int highest, std::array<double, width> &w);
 
@@ -84,7 +90,7 @@ void KernelMarkers<Dim, Kernel>::place_component(const Vec<Dim> &x, int c, Stenc
     first[d] = std::clamp(anchor - Kernel::anchor, lowest, highest);
     assert(std::abs(first[d] - (anchor - Kernel::anchor)) <= 1 && "a marker must lie in this rank's slab");
     auto &w = stencil.weight[c][d];
-    Kernel::weights(y - (first[d] + Kernel::anchor), w.data());
+    weigh(d == c, y - (first[d] + Kernel::anchor), w.data());
     if (!grid_.periodic[d]) leave_out_walls(first[d], d == c ? 1 : 0, grid_.cells[d] - 1, w);
     first[d] -= begin;
   }
@@ -139,7 +145,8 @@ std::unique_ptr<Markers<Dim>> make_markers(const std::string &kernel_name, const
   if (kernel_name == "roma_1999") return std::make_unique<KernelMarkers<Dim, Roma1999>>(grid, layout);
   if (kernel_name == "peskin_2002") return std::make_unique<KernelMarkers<Dim, Peskin2002>>(grid, layout);
   if (kernel_name == "yang_2009") return std::make_unique<KernelMarkers<Dim, Yang2009>>(grid, layout);
-  throw std::invalid_argument("the kernel must be roma_1999, peskin_2002 or yang_2009, but is '" + kernel_name + "'");
+  if (kernel_name == "gruninger_2025") return std::make_unique<KernelMarkers<Dim, Gruninger2025>>(grid, layout);
+  throw std::invalid_argument("the kernel must be roma_1999, peskin_2002, yang_2009 or gruninger_2025, but is '" + kernel_name + "'");
 }
 
 template std::unique_ptr<Markers<2>> make_markers(const std::string &, const Grid<2> &, const Layout<2> &);

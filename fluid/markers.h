@@ -36,7 +36,7 @@ public:
   virtual double retraction() const = 0;
 };
 
-/// Markers with the kernel of that name: roma_1999, peskin_2002 or yang_2009. Throws std::invalid_argument on any other.
+/// Markers with the kernel of that name: roma_1999, peskin_2002, yang_2009 or gruninger_2025. Throws std::invalid_argument on any other.
 template <int Dim>
 std::unique_ptr<Markers<Dim>> make_markers(const std::string &kernel_name, const Grid<Dim> &grid, const Layout<Dim> &layout);
 

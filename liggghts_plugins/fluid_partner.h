@@ -59,7 +59,7 @@ struct FluidOptions {
   AdvectionScheme advection = AdvectionScheme::central;
   ForcingScheme forcing = ForcingScheme::direct;
   int forcing_loops = 1;                              ///< of ForcingScheme::multi
-  std::string kernel = "roma_1999";                   ///< roma_1999, peskin_2002, yang_2009
+  std::string kernel = "roma_1999";                   ///< roma_1999, peskin_2002, yang_2009, gruninger_2025
   std::optional<double> retraction;                   ///< of the markers, towards the hub, in cells; none given: that of the kernel
   int projections = 2;                                ///< in a step: 2 when the prediction is made divergence-free before it meets the markers
   double marker_gap = 1.0;                            ///< largest natural distance of markers along the ring, in cells

@@ -83,7 +83,7 @@ void FluidScript::declare_method(Options &options)
     if (options_.forcing == ForcingScheme::multi) options_.forcing_loops = words.integer("forcing multi", Range::at_least(1));
   }, "direct, multi N or implicit");
   options.custom("kernel", [&](Arguments &words) {
-    const std::vector<std::string> kernels = {"roma_1999", "peskin_2002", "yang_2009"};
+    const std::vector<std::string> kernels = {"roma_1999", "peskin_2002", "yang_2009", "gruninger_2025"};
     options_.kernel = kernels[words.choice("kernel", kernels)];
   }, "delta kernel between markers and cells");
   options.custom("retraction", [&](Arguments &words) {

@@ -42,7 +42,7 @@ TEST(DiscArray, DragDoesNotDependOnTheFluidStep)
 
 TEST(DiscArray, EachKernelGivesTheDrag)
 {
-  for (const std::string kernel : {"roma_1999", "peskin_2002", "yang_2009"}) {
+  for (const std::string kernel : {"roma_1999", "peskin_2002", "yang_2009", "gruninger_2025"}) {
     DiscArray array;
     array.fluid += " kernel " + kernel;
     ArrayScene scene(array);

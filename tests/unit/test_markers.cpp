@@ -10,6 +10,12 @@ using namespace swellflow;
 
 namespace {
 
+template <class Kernel> double phi(bool along, double r)
+{
+  if constexpr (requires { typename Kernel::Across; }) return along ? Kernel::Along::phi(r) : Kernel::Across::phi(r);
+  else return Kernel::phi(r);
+}
+
 /// A box whose slabs have 2 planes on 4 ranks, and the same cloud of markers on every number of ranks; each rank takes what lies in its slab.
 template <int Dim> struct Cloud {
   static constexpr double h = 0.25, density = 7.0;
@@ -145,7 +151,7 @@ template <int Dim> struct Cloud {
       for (std::size_t l = 0; l < all_positions.size(); ++l) {
         double weight = all_values[l][c] / (density * grid.cell_volume());
         for (int d = 0; d < Dim; ++d)
-          weight *= Kernel::phi(std::remainder((all_positions[l][d] - grid.origin[d]) / h - cell[d] - (d == c ? 0.0 : 0.5), grid.cells[d]));
+          weight *= phi<Kernel>(d == c, std::remainder((all_positions[l][d] - grid.origin[d]) / h - cell[d] - (d == c ? 0.0 : 0.5), grid.cells[d]));
         sum += weight;
       }
       EXPECT_NEAR(forcing.faces(c)[at], sum, 1e-6);
@@ -159,7 +165,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(KernelsAndPeriods, MarkersOnSlabs,
-                         testing::Combine(testing::Values("roma_1999", "peskin_2002", "yang_2009"), testing::Bool(), testing::Bool()));
+                         testing::Combine(testing::Values("roma_1999", "peskin_2002", "yang_2009", "gruninger_2025"), testing::Bool(), testing::Bool()));
 
 TEST_P(MarkersOnSlabs, InterpolateAConstantExactlyUpToTheWalls)
 {
@@ -215,7 +221,9 @@ TEST(PeriodicBox, FacesAndGhostsHaveTheSumOverAllMarkers)
   Cloud<2>("roma_1999", {true, true}).expect_sum_over_kernels<Roma1999>();
   Cloud<2>("peskin_2002", {true, true}).expect_sum_over_kernels<Peskin2002>();
   Cloud<2>("yang_2009", {true, true}).expect_sum_over_kernels<Yang2009>();
+  Cloud<2>("gruninger_2025", {true, true}).expect_sum_over_kernels<Gruninger2025>();
   Cloud<3>("yang_2009", {true, true, true}).expect_sum_over_kernels<Yang2009>();
+  Cloud<3>("gruninger_2025", {true, true, true}).expect_sum_over_kernels<Gruninger2025>();
 }
 
 TEST(ThreeDimensions, OperatorsAreAdjointAndConserve)
@@ -231,7 +239,7 @@ TEST(ThreeDimensions, OperatorsAreAdjointAndConserve)
 /// What `scale` says: a straight outline along the grid, markers a cell apart, each asked to change the fluid by 1 over its own length of outline.
 TEST(Scale, IsWhatComesBackFromAStraightOutline)
 {
-  for (const char *kernel : {"roma_1999", "peskin_2002", "yang_2009"}) {
+  for (const char *kernel : {"roma_1999", "peskin_2002", "yang_2009", "gruninger_2025"}) {
     const Grid<2> grid({8, 8}, {0.0, 0.0}, 1.0, MPI_COMM_SELF, {true, true});
     const Layout<2> layout(grid);
     const auto markers = make_markers<2>(kernel, grid, layout);
@@ -260,7 +268,7 @@ TEST(MakeMarkers, RefusesAnUnknownKernel)
     make_markers<2>("cosine", grid, layout);
     FAIL();
   } catch (const std::invalid_argument &error) {
-    EXPECT_STREQ(error.what(), "the kernel must be roma_1999, peskin_2002 or yang_2009, but is 'cosine'");
+    EXPECT_STREQ(error.what(), "the kernel must be roma_1999, peskin_2002, yang_2009 or gruninger_2025, but is 'cosine'");
   }
 }
 

@@ -222,6 +222,6 @@ TEST(FluidLine, SaysWhatIsWrong)
   expect_all(fluid_complaint("cfl 0 every 5"), {"'cfl' must be a number > 0", "'0'"});
   expect_all(fluid_complaint("forcing multi"), {"not enough arguments for 'forcing multi'", ">= 1"});
   expect_all(fluid_complaint("forcing twice"), {"'forcing' must be direct or multi or implicit", "'twice'"});
-  expect_all(fluid_complaint("kernel roma"), {"'kernel' must be roma_1999 or peskin_2002 or yang_2009", "'roma'"});
+  expect_all(fluid_complaint("kernel roma"), {"'kernel' must be roma_1999 or peskin_2002 or yang_2009 or gruninger_2025", "'roma'"});
   expect_all(fluid_complaint("advection upwind"), {"'advection' must be central or bounded or none", "'upwind'"});
 }

@@ -171,7 +171,7 @@ TEST(ImmersedBoundary, ImplicitForcingConvergesToTheSame)
 
 TEST(ImmersedBoundary, OtherKernelsAreOfFirstOrder)
 {
-  for (const char *kernel : {"peskin_2002", "yang_2009"})
+  for (const char *kernel : {"peskin_2002", "yang_2009", "gruninger_2025"})
     expect_first_order(couette_error(32, Forcing::direct, 1.0, kernel), couette_error(64, Forcing::direct, 1.0, kernel));
 }
 
