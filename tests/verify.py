@@ -103,7 +103,7 @@ def hydrogel():
 
 def sedimentation():
     return all_of("sedimentation", [("sedimentation", name, variables) for name, variables in (
-        ("a_100", {}), ("a_100_implicit", {"integrator": "nve/cds implicit"}), ("a_100_explicit", {"integrator": "nve/cds", "every": 200}),
+        ("a_100", {}), ("a_100_implicit", {"integrator": "nve/cds implicit"}), ("a_100_explicit", {"integrator": "nve/cds", "every": 400}),
         ("a_200", {"cells": 200}), ("b_100", {"diameter": 0.5}), ("c_100", {"growth": 0.25}), ("c_100_implicit", {"growth": 0.25, "integrator": "nve/cds implicit"}))])
 
 
