@@ -6,6 +6,7 @@
 #include "atom.h"
 #include "error.h"
 #include "fix.h"
+#include "fix_lubrication_cds.h"
 #include "fix_mass_spring.h"
 #include "fix_objects.h"
 #include "force.h"
@@ -23,8 +24,10 @@ ContactForces::ContactForces(LAMMPS *lmp) : lmp_(lmp)
   if (!objects || !lmp->force->pair) return;
   const Atom *atom = lmp->atom;
   std::vector<double> given(2 * atom->nlocal, 0.0);
-  for (int k = 0; k < lmp->modify->nfix; k++)
+  for (int k = 0; k < lmp->modify->nfix; k++) {
     if (const auto *springs = dynamic_cast<FixMassSpring *>(lmp->modify->fix[k])) springs->add_given(given.data());
+    if (const auto *lubrication = dynamic_cast<FixLubricationCds *>(lmp->modify->fix[k])) lubrication->add_given(given.data());
+  }
   forces_.assign(2 * (atom->nlocal + atom->nghost), 0.0);
   for (int i = 0; i < atom->nlocal; i++)
     for (int d = 0; d < 2; d++) forces_[2 * i + d] = atom->f[i][d] - given[2 * i + d];

@@ -35,6 +35,8 @@ class FixFluidIb : public Fix {
   bool first_dem_step() const { return dem_step_ == 0; }
   bool last_dem_step() const { return dem_step_ + 1 == dem_steps_; }
   bigint whole_steps() const { return whole_steps_; }
+  /// In LIGGGHTS' order: xlo, xhi, ylo, yhi.
+  swellflow::SideKind side(int k) const { return script_->options().sides[k]; }
 
  private:
   void parse(int narg, char **arg);

@@ -2,6 +2,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "error.h"
 #include "fix_objects.h"
 #include "fluid_columns.h"
 #include "force.h"
@@ -39,7 +40,22 @@ void FixObjectIntegrator::init()
   require_one_integrator(lmp, *this);
 }
 
-void FixObjectIntegrator::setup(int) { objects_->require_whole_objects(*this); }
+void FixObjectIntegrator::setup(int)
+{
+  objects_->require_whole_objects(*this);
+  require_points_only();
+}
+
+/// Other atoms of the group would silently stay where they are.
+void FixObjectIntegrator::require_points_only() const
+{
+  int others = 0;
+  for (int i = 0; i < atom->nlocal; i++) others += (atom->mask[i] & groupbit) && !objects_->is_point(i);
+  MPI_Allreduce(MPI_IN_PLACE, &others, 1, MPI_INT, MPI_SUM, world);
+  if (others > 0)
+    error->fix_error(FLERR, const_cast<FixObjectIntegrator *>(this),
+                     ("it moves points of objects, but " + std::to_string(others) + " atoms of its group are none: give it a group of objects, and move the others by their own fix, such as nve/sphere").c_str());
+}
 
 bool FixObjectIntegrator::acts_on(const ObjectPoints &object) const { return atom->mask[object.hub] & groupbit; }
 

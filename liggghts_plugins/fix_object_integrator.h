@@ -47,6 +47,7 @@ class FixObjectIntegrator : public Fix {
   };
   static constexpr int OUTER_SIZE = sizeof(Outer) / sizeof(double);
 
+  void require_points_only() const;
   bool acts_on(const swellflow::ObjectPoints &object) const;
   void collect_outer();
   void take_back_foreseen();

@@ -10,6 +10,7 @@
 #include "create_objects.h"
 #include "fix.h"
 #include "fix_fluid_ib.h"
+#include "fix_lubrication_cds.h"
 #include "fix_mass_spring.h"
 #include "fix_nve_cds_implicit.h"
 #include "fix_objects.h"
@@ -65,6 +66,7 @@ const FixMap &fix_styles()
     {"swell", create_fix<FixSwell>},
     {"nve/cds", create_nve_cds},
     {"rigid/cds", create_fix<FixRigidCds>},
+    {"lubrication/cds", create_fix<FixLubricationCds>},
     {"held", create_fix<FixPrescribed>},
     {"prescribed", create_fix<FixPrescribed>},
     {"fluid/ib", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixFluidIb(lmp, narg, arg, factories_of(lmp).fluid); }},

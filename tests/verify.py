@@ -72,7 +72,8 @@ def flow_stokes_channel():
 
 
 def close_contact():
-    return all_of("close_contact", [("close_contact", f"{met}_{cells}", {"with": met, "cells": cells}) for met in ("wall", "disc") for cells in (10, 20)])
+    return all_of("close_contact", [("close_contact", f"{met}_{cells}", {"with": met, "cells": cells}) for met in ("wall", "disc") for cells in (10, 20)] +
+                                   [("close_contact", f"wall_{cells}_lubrication", {"cells": cells, "lubrication": 1.25}) for cells in (10, 20)])
 
 
 def flow_schaefer_turek():

@@ -1,4 +1,4 @@
-"""The force between a disc and what it is pushed towards, over the gap, and what is exact for it."""
+"""The force between a disc and what it is pushed towards, that of fix lubrication/cds included, over the gap, and what is exact for it."""
 
 import math
 
@@ -12,11 +12,16 @@ class Approach:
 
     def __init__(self, run):
         self.run, self.history = run, histories.History(run)
-        self.gap, self.measured = self.history["gap"][::-1], self.history["force"][::-1]
+        self.gap, self.added = self.history["gap"][::-1], self.history["added"][::-1]
+        self.measured = self.history["force"][::-1] + self.added
         self.cells = run.variables["cells"]
 
     def force(self, gap):
         return float(np.interp(gap, self.gap, self.measured))
+
+    def added_force(self, gap):
+        """By fix lubrication/cds, part of the force."""
+        return float(np.interp(gap, self.gap, self.added))
 
     def exact(self, gap):
         """Jeffrey & Onishi (1981) for a wall; for two discs what Reynolds' equation gives when the gap is small."""
