@@ -86,7 +86,8 @@ template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPo
     Stopwatch watch(seconds_in_fluid_);
     flow_.predict_velocity(dt_);
     // Where objects push fluid away, what appears inside them is not known before they have moved.
-    if (options_.projections > 1 && !some_inflate_ && some_markers()) flow_.project_prediction(dt_);
+    // In the first step a projection would turn the initial flow into one that the sides allow, which objects would meet as if it had always been there.
+    if (options_.projections > 1 && dt_before_ > 0.0 && !some_inflate_ && some_markers()) flow_.project_prediction(dt_);
   }
   hand_out();
 }

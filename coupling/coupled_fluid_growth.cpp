@@ -14,13 +14,17 @@ using Topology = LAMMPS_NS::FixObjects::Column;
 
 }  // namespace
 
-/// An object that is in no fluid step yet has as much fluid inside as its outline holds.
+/// An object that begins to inflate has as much fluid inside as its outline holds.
 template <int Dim> void CoupledFluid<Dim>::note_inflating(const std::vector<ObjectPoints> &objects)
 {
   for (std::size_t n = 0; n < objects.size(); ++n) {
     const int hub = points_.own_index(objects[n].hub);
-    if (!objects[n].inflates || hub < 0) continue;
+    if (hub < 0) continue;
     double *state = points_.state[hub];
+    if (!objects[n].inflates) {
+      state[FluidState::INNER_AREA] = 0.0;
+      continue;
+    }
     if (state[FluidState::INNER_AREA] == 0.0) state[FluidState::INNER_AREA] = outline_shape(points_.outline(objects[n])).area;
     state[FluidState::FILLED] = described_[n].filled;
   }

@@ -20,7 +20,7 @@ constexpr double made_up_per_step = 0.01;
 
 template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &object, const Triple &gravity)
 {
-  const ObjectMotion motion = motion_of(object, points_, gravity);
+  const ObjectMotion motion = motion_of(object, points_, gravity, options_.density);
   ring_.place(object, points_, markers_per_point(object), options_.retraction.value_or(markers_->retraction()) * flow_.grid().h);
   const double h = flow_.grid().h;
   described_.push_back({motion, inner_fluid_.needs_markers(motion, options_.density * ring_.perimeter() * h / markers_->scale())});
@@ -157,11 +157,12 @@ template <int Dim> int CoupledFluid<Dim>::slab_of(const VecD &x) const
   return grid.rank_of_plane(std::clamp(plane, 0, n - 1));
 }
 
+/// A ring point where there is one: a hub without spokes knows nothing of the object.
 template <int Dim> int CoupledFluid<Dim>::any_own(const ObjectPoints &object) const
 {
-  int own = points_.own_index(object.hub);
+  int own = -1;
   for (int k = 0; k < object.n_ring && own < 0; ++k) own = points_.own_index(object.ring[k]);
-  return own;
+  return own >= 0 ? own : points_.own_index(object.hub);
 }
 
 /// q at which the fluid crosses the outline: as fast as the area inside truly changes, which contact may hold back, but between 0 and the rate of the natural size

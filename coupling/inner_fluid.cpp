@@ -62,7 +62,8 @@ InnerFluid::Drag InnerFluid::drag_of(const ObjectPoints &object, const ObjectMot
 Eigen::Vector3d InnerFluid::foresee(const Drag &drag, const ObjectMotion &motion, const Triple &gravity, double dt) const
 {
   const double excess = 1.0 - mass(motion) / motion.mass;
-  const Eigen::Vector3d excess_mass(excess * motion.mass, excess * motion.mass, excess * motion.inertia);
+  const double excess_inertia = (1.0 - motion.inner_inertia * mass(motion) / motion.mass) * motion.inertia;
+  const Eigen::Vector3d excess_mass(excess * motion.mass, excess * motion.mass, excess_inertia);
   const Eigen::Matrix3d A = drag.mass + Eigen::Matrix3d(excess_mass.asDiagonal());
   const Eigen::Vector3d change = A.ldlt().solve(drag.impulse + dt * excess_mass.cwiseProduct(Eigen::Vector3d(gravity[0], gravity[1], 0.0)));
   return change.allFinite() ? Eigen::Vector3d(change / dt) : Eigen::Vector3d::Zero();
@@ -87,7 +88,8 @@ void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &
     for (int c = 0; c < 3; ++c) a[c] = foreseen[c] + state[FluidState::DUE_X + c] / (smoothing_steps * dt);
     const double rx = points.x[image][0] - motion.centre[0], ry = points.x[image][1] - motion.centre[1];
     const double share = mass(motion) / motion.mass * points.mass[own];
-    const double force[] = {share * (a[0] - a[2] * ry - gravity[0]), share * (a[1] + a[2] * rx - gravity[1])};
+    const double turn = motion.inner_inertia * a[2];
+    const double force[] = {share * (a[0] - turn * ry - gravity[0]), share * (a[1] + turn * rx - gravity[1])};
     for (int d = 0; d < 2; ++d) {
       state[FluidState::INNER_FORCE_X + d] = force[d];
       points.law[own][FluidLaw::A_X + d] += force[d];

@@ -10,7 +10,8 @@
 namespace swellflow {
 
 /// The points bear the whole mass M of their object; so that it moves with the inertia and the weight of M - rho_f V, V its natural area, the points get the force
-/// rho_f V (a + alpha x r - g) in shares of mass (Uhlmann 2005, eqs. 17 to 24: a solid body whose inside is fluid). a and alpha are those of the coming fluid step as
+/// rho_f V (a + alpha x r - g) in shares of mass (Uhlmann 2005, eqs. 17 to 24: a solid body whose inside is fluid), alpha scaled by the inertia of the fluid inside over that of these
+/// shares. a and alpha are those of the coming fluid step as
 /// gravity and the fluid's law make them; what they were off the motion that came of it is made up for over the next steps. docs/theory.md has the measurements.
 /// 2-D, per unit depth.
 class InnerFluid {

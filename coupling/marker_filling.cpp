@@ -39,7 +39,6 @@ void MarkerRing::fill(const ObjectPoints &object, const DemEngine &points, doubl
 
   std::vector<std::pair<int, InnerMarker>> borne;
   const auto add = [&](const Place &place) {
-    const int bearer[] = {place.point[0], place.point[1], spokes ? object.n_ring : place.point[0]};
     const int atom[] = {object.ring[place.point[0]], object.ring[place.point[1]], object.hub};
     InnerMarker marker{};
     for (int b = 0; b < 3; ++b)
@@ -47,10 +46,15 @@ void MarkerRing::fill(const ObjectPoints &object, const DemEngine &points, doubl
         marker.x[d] += place.share[b] * points.x[atom[b]][d];
         marker.u[d] += place.share[b] * points.v[atom[b]][d];
       }
-    for (int b = 0; b < 3; ++b) {
-      marker.spacing = place.share[b] * place.area / h;
-      if (marker.spacing > 0.0) borne.emplace_back(bearer[b], marker);
-    }
+    const auto bear = [&](int bearer, double share) {
+      marker.spacing = share * place.area / h;
+      if (marker.spacing > 0.0) borne.emplace_back(bearer, marker);
+    };
+    for (int b = 0; b < 2; ++b) bear(place.point[b], place.share[b]);
+    // Without spokes the hub bears nothing: it is in the middle of opposite points.
+    if (spokes) bear(object.n_ring, place.share[2]);
+    else
+      for (const int opposite : {0, object.n_ring / 2}) bear((place.point[0] + opposite) % object.n_ring, 0.5 * place.share[2]);
   };
   for (int j = 0; j < n_filled; ++j) {
     const double f = static_cast<double>(j) / layers, outer = (j + 0.5) / layers, inner = j > 0 ? (j - 0.5) / layers : 0.0;

@@ -1,5 +1,6 @@
 #include "coupling/object_motion.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace swellflow {
@@ -43,7 +44,7 @@ void find_velocity(const ObjectPoints &object, const DemEngine &points, const Tr
 
 }  // namespace
 
-ObjectMotion motion_of(const ObjectPoints &object, const DemEngine &points, const Triple &gravity)
+ObjectMotion motion_of(const ObjectPoints &object, const DemEngine &points, const Triple &gravity, double fluid_density)
 {
   ObjectMotion motion;
   find_mass(object, points, motion);
@@ -52,6 +53,10 @@ ObjectMotion motion_of(const ObjectPoints &object, const DemEngine &points, cons
   const double *topology = points.object_point[object.hub];
   const double diameter = topology[Column::DIAMETER] * topology[Column::LAMBDA];
   motion.natural_area = std::numbers::pi / 4.0 * diameter * diameter;
+  const double lambda = topology[Column::LAMBDA], mean_square = lambda * lambda * topology[Column::MEAN_SQUARE_RADIUS];
+  motion.inner_inertia = mean_square * motion.mass / motion.inertia;
+  // A ring without spokes is a membrane about its fluid, which has no mass at the fluid's density; below that it turns as a disc of its density would.
+  if (topology[Column::SPOKES] == 0.0) motion.inner_inertia = std::min(1.0, motion.inner_inertia * (1.0 + motion.mass / (fluid_density * motion.natural_area)));
   return motion;
 }
 

@@ -33,10 +33,11 @@ struct ObjectMotion {
   Vec<2> velocity{};            ///< of the ring's motion, at the centre
   double spin = 0.0;            ///< of the ring: sum of r x v over sum of r^2, about its mean
   double mass = 0.0, inertia = 0.0;  ///< of all points; inertia about the centre
+  double inner_inertia = 0.0;   ///< of the fluid inside, over that of points that share its mass as they share the object's
   double natural_area = 0.0;    ///< pi (lambda D0)^2 / 4: that of the disc whose mass the points share
 };
 
 /// All points of the object, own or ghost, need current positions and velocities.
-ObjectMotion motion_of(const ObjectPoints &object, const DemEngine &points, const Triple &gravity);
+ObjectMotion motion_of(const ObjectPoints &object, const DemEngine &points, const Triple &gravity, double fluid_density);
 
 }  // namespace swellflow

@@ -68,15 +68,14 @@ void FixFluidIb::require_integrators()
       const Fix *fix = modify->fix[k];
       if (!knows_fluid_law(*fix) || !(atom->mask[i] & fix->groupbit)) continue;
       moved = true;
-      if (strcmp(fix->style, "nve/cds") == 0) free = 1;
+      if (solves_springs(*fix) || takes_springs_as_forces(*fix)) free = 1;
     }
     if (!moved) missing = 1;
   }
   int here[2] = {missing, free}, anywhere[2];
   MPI_Allreduce(here, anywhere, 2, MPI_INT, MPI_MAX, world);
   if (anywhere[1] && script_->options().forcing == ForcingScheme::implicit)
-    error->fix_error(FLERR, this, "implicit forcing needs objects that do not move freely, since these receive its force a step late and swing up, but some are moved by "
-                                  "nve/cds: use 'forcing multi 3', or 'held' or 'prescribed' for the objects");
+    error->fix_error(FLERR, this, "implicit forcing needs objects that do not move freely, since these receive its force a step late and swing up, but some do: use 'forcing multi 3', or 'held' or 'prescribed' for the objects");
   if (anywhere[0])
     error->fix_error(FLERR, this, "each object in the fluid needs an integrator that knows the fluid's force, but some have none: "
                                   "add 'fix ID all nve/cds' in place of other nve styles, or 'held' or 'prescribed' for objects that do not move freely");

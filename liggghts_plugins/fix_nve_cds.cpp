@@ -27,7 +27,11 @@ FixNveCds::FixNveCds(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 
 int FixNveCds::setmask() { return INITIAL_INTEGRATE | FINAL_INTEGRATE; }
 
-void FixNveCds::init() { require_one_integrator(lmp, *this); }
+void FixNveCds::init()
+{
+  require_one_integrator(lmp, *this);
+  forget_what_is_ahead(lmp, *this);
+}
 
 void FixNveCds::initial_integrate(int)
 {

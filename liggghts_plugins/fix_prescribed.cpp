@@ -53,6 +53,7 @@ void FixPrescribed::init()
 {
   objects_ = require_objects(lmp, *this);
   require_one_integrator(lmp, *this);
+  forget_what_is_ahead(lmp, *this);
   require_no_swelling();
   swellflow::or_stop(lmp, [this] {
     for (const ScriptValue *value : {&vx_, &vy_, &spin_}) value->require(lmp);

@@ -9,6 +9,7 @@
 #include "fix.h"
 #include "fix_object_integrator.h"
 #include "fix_property_atom.h"
+#include "fluid_columns.h"
 #include "lammps.h"
 #include "modify.h"
 
@@ -54,4 +55,13 @@ double **LAMMPS_NS::fluid_columns(LAMMPS *lmp, const char *name)
   const int found = lmp->modify->find_fix(name);
   const auto *property = found < 0 ? nullptr : dynamic_cast<const FixPropertyAtom *>(lmp->modify->fix[found]);
   return property ? property->array_atom : nullptr;
+}
+
+void LAMMPS_NS::forget_what_is_ahead(LAMMPS *lmp, const Fix &asking)
+{
+  using swellflow::FluidImpulse;
+  double **impulse = fluid_columns(lmp, FluidImpulse::NAME);
+  for (int i = 0; impulse && i < lmp->atom->nlocal; i++)
+    if (lmp->atom->mask[i] & asking.groupbit)
+      for (int column : {FluidImpulse::AHEAD_X, FluidImpulse::AHEAD_Y, FluidImpulse::KNOWS_AHEAD}) impulse[i][column] = 0.0;
 }
