@@ -11,7 +11,7 @@ namespace {
 constexpr double smoothing_steps = 5.0;
 
 /// By how much of the layer's mass the object may be lighter than the fluid inside; measured in docs/theory.md.
-constexpr double bearable_share = 0.25;
+constexpr double bearable_share = 0.1;
 
 /// visit(own point, the image of it that is nearest to the hub)
 template <class Visit> void for_each_own_bearing(const ObjectPoints &object, const DemEngine &points, const Visit &visit)
