@@ -75,7 +75,8 @@ void FixFluidIb::require_integrators()
   int here[2] = {missing, free}, anywhere[2];
   MPI_Allreduce(here, anywhere, 2, MPI_INT, MPI_MAX, world);
   if (anywhere[1] && script_->options().forcing == ForcingScheme::implicit)
-    error->fix_error(FLERR, this, "implicit forcing needs objects that do not move freely, since these receive its force a step late and swing up, but some do: use 'forcing multi 3', or 'held' or 'prescribed' for the objects");
+    error->fix_error(FLERR, this, "implicit forcing needs objects that do not move freely, since these receive its force a step late and swing up, but some are moved by "
+                                  "nve/cds or rigid/cds: use 'forcing multi 3', or 'held' or 'prescribed' for the objects");
   if (anywhere[0])
     error->fix_error(FLERR, this, "each object in the fluid needs an integrator that knows the fluid's force, but some have none: "
                                   "add 'fix ID all nve/cds' in place of other nve styles, or 'held' or 'prescribed' for objects that do not move freely");
