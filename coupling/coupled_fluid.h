@@ -73,10 +73,9 @@ private:
   bool some_markers() const;
   void describe_markers(const std::vector<ObjectPoints> &objects, const Triple &gravity);
   void describe_object(const ObjectPoints &object, const Triple &gravity);
-  void open_accounts(const ObjectPoints &object, double absorption_rate);
-  void open_account(const ObjectPoints &object, int k, int own, double absorption_rate);
-  void add_marker(const ObjectPoints &object, int m, double absorption_rate);
-  void send_marker(VecD x, double spacing, const VecD &carried_impulse, const VecD &offset);
+  void open_accounts(const ObjectPoints &object, double inward_rate);
+  void open_account(const ObjectPoints &object, int k, int own, double inward_rate);
+  template <class Marker> void send_marker(const Marker &marker, double spacing, const VecD &carried_impulse, int own, double inward_rate);
   void share_carried_force(const ObjectPoints &object);
   void share_owed_impulse(const ObjectPoints &object);
   void require_finite_flow() const;

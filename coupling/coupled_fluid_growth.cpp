@@ -8,11 +8,7 @@
 
 namespace swellflow {
 
-namespace {
-
 using Topology = LAMMPS_NS::FixObjects::Column;
-
-}  // namespace
 
 /// An object that begins to inflate has as much fluid inside as its outline holds.
 template <int Dim> void CoupledFluid<Dim>::note_inflating(const std::vector<ObjectPoints> &objects)

@@ -93,13 +93,14 @@ template <int Dim> void CoupledFluid<Dim>::share_owed_impulse(const ObjectPoints
 /// the fluid's velocity there, that would be a flow inwards, which an incompressible inside resists ever harder. To second order in spin dt.
 template <int Dim> double CoupledFluid<Dim>::chord_rate(double spin) const { return 0.5 * spin * spin * dt_; }
 
-template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &object, double absorption_rate)
+/// inward_rate: what the fluid is asked for beyond the markers' own velocity is a flow through them, inwards by this times their distance from the centroid.
+template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &object, double inward_rate)
 {
   for (int k = 0; k <= object.n_ring; ++k) {
     const int own = points_.own_index(k < object.n_ring ? object.ring[k] : object.hub);
     if (own < 0) continue;
     if (k < object.n_ring || !ring_.inner(k).empty()) {
-      open_account(object, k, own, absorption_rate);
+      open_account(object, k, own, inward_rate);
       continue;
     }
     for (int d = 0; d < Dim; ++d) {
@@ -109,39 +110,35 @@ template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &obj
   }
 }
 
-template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &object, int k, int own, double absorption_rate)
+template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &object, int k, int own, double inward_rate)
 {
-  Account account{own, static_cast<int>(leaving_.size()), 0, k < object.n_ring ? ring_.per_point() : 0, {}, felt_[k]};
-  for (int d = 0; d < Dim; ++d) account.carried[d] = points_.carried[own][FluidCarried::FORCE_X + d];
-  for (int m = k * ring_.per_point(); m < k * ring_.per_point() + account.n_carrying; ++m) add_marker(object, m, absorption_rate);
-  for (const auto &marker : ring_.inner(k)) {
-    VecD offset;
-    for (int d = 0; d < Dim; ++d) offset[d] = marker.u[d] - points_.v[own][d] - absorption_rate * (marker.x[d] - ring_.centroid()[d]);
-    send_marker(marker.x, marker.spacing, {}, offset);
+  const int per_point = ring_.per_point();
+  Account account{own, static_cast<int>(leaving_.size()), 0, k < object.n_ring ? per_point : 0, {}, felt_[k]};
+  VecD of_each;
+  for (int d = 0; d < Dim; ++d) {
+    account.carried[d] = points_.carried[own][FluidCarried::FORCE_X + d];
+    of_each[d] = account.carried[d] * dt_ / per_point;
   }
+  for (int m = k * per_point; m < k * per_point + account.n_carrying; ++m) {
+    marker_gap_ = std::max(marker_gap_, ring_.gap(m) / flow_.grid().h);
+    send_marker(ring_.marker(m), ring_.spacing(m), of_each, own, inward_rate);
+  }
+  for (const auto &marker : ring_.inner(k)) send_marker(marker, marker.spacing, {}, own, inward_rate);
   account.count = static_cast<int>(leaving_.size()) - account.first;
   accounts_.push_back(account);
 }
 
 /// Where the marker is, what it carries, and c: by how much its velocity differs from its point's.
-template <int Dim> void CoupledFluid<Dim>::add_marker(const ObjectPoints &object, int m, double absorption_rate)
+template <int Dim>
+template <class Marker>
+void CoupledFluid<Dim>::send_marker(const Marker &marker, double spacing, const VecD &carried_impulse, int own, double inward_rate)
 {
-  const auto &marker = ring_.marker(m);
-  const int i = object.ring[marker.point];
-  marker_gap_ = std::max(marker_gap_, ring_.gap(m) / flow_.grid().h);
-  VecD carried, offset;
+  VecD x = marker.x, offset;
   for (int d = 0; d < Dim; ++d) {
-    carried[d] = points_.carried[i][FluidCarried::FORCE_X + d] * dt_ / ring_.per_point();
-    offset[d] = marker.u[d] - points_.v[i][d] - absorption_rate * (marker.x[d] - ring_.centroid()[d]);
-  }
-  send_marker(marker.x, ring_.spacing(m), carried, offset);
-}
-
-template <int Dim> void CoupledFluid<Dim>::send_marker(VecD x, double spacing, const VecD &carried_impulse, const VecD &offset)
-{
-  // The run ends soon, with an error, when it is not.
-  for (int d = 0; d < Dim; ++d)
+    // The run ends soon, with an error, when it is not.
     if (!std::isfinite(x[d])) x[d] = flow_.grid().origin[d];
+    offset[d] = marker.u[d] - points_.v[own][d] - inward_rate * (marker.x[d] - ring_.centroid()[d]);
+  }
   leaving_.push_back({x, carried_impulse, spacing});
   offset_.push_back(offset);
   to_.push_back(slab_of(x));

@@ -78,13 +78,14 @@ Eigen::Vector3d InnerFluid::lacking(const Drag &drag) const
 
 void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &motion, bool has_markers, const Triple &gravity, double dt, const DemEngine &points) const
 {
-  const Drag drag = drag_of(object, motion, gravity, dt, points);
+  bool meets = false;
+  for_each_own_bearing(object, points, [&](int own, int) { meets = meets || points.state[own][FluidState::KNOWS_BEFORE] == 1.0; });
+  const Drag drag = meets || !has_markers ? drag_of(object, motion, gravity, dt, points) : Drag{};
   const Eigen::Vector3d foreseen = has_markers ? Eigen::Vector3d::Zero() : foresee(drag, motion, gravity, dt);
-  const Eigen::Vector3d at_first = lacking(drag);
+  const Eigen::Vector3d at_first = meets ? lacking(drag) : Eigen::Vector3d::Zero();
   for_each_own_bearing(object, points, [&](int own, int image) {
     double *state = points.state[own], *a = state + FluidState::RETURNED_X;
-    if (state[FluidState::KNOWS_BEFORE] == 1.0)
-      for (int c = 0; c < 3; ++c) state[FluidState::DUE_X + c] = at_first[c];
+    for (int c = 0; meets && c < 3; ++c) state[FluidState::DUE_X + c] = at_first[c];
     for (int c = 0; c < 3; ++c) a[c] = foreseen[c] + state[FluidState::DUE_X + c] / (smoothing_steps * dt);
     const double rx = points.x[image][0] - motion.centre[0], ry = points.x[image][1] - motion.centre[1];
     const double share = mass(motion) / motion.mass * points.mass[own];

@@ -17,7 +17,7 @@ class ContactForces {
   /// Collective; at the end of a step, or in setup, where atom->f must be whole (require_whole_forces).
   explicit ContactForces(LAMMPS *lmp);
 
-  /// On an own point or a ghost: atom->f less weight (fix gravity), springs, unresolved lubrication, and the inertia and buoyancy of the fluid inside.
+  /// On an own point or a ghost: atom->f less weight (fix gravity), springs and unresolved lubrication. What the fluid gives is not in atom->f.
   swellflow::Vector2 on(int i) const;
   /// -sum F.(x - c) / (2 A), c the centre of mass, A the area in the outline: the mean stress that forces F at x give a body at rest, its trace halved
   /// (Christoffersen, Mehrabadi & Nemat-Nasser, J. Appl. Mech. 48, 339, 1981). > 0 when the object is squeezed.

@@ -1,6 +1,5 @@
 #include "fix_fluid_ib.h"
 
-#include <algorithm>
 #include <cstring>
 #include <string>
 
