@@ -17,13 +17,20 @@ import sys
 from pathlib import Path
 
 CASES = Path(__file__).resolve().parent
+INSTALLED = not (CASES.parent / "CMakeLists.txt").exists()  # as PREFIX/share/swellflow/cases, wherever PREFIX was moved; else beside the sources
 RUN_FILE = "run.json"
 
 
 def program():
-    """The built program, or None. SWELLFLOW_PROGRAM names another build."""
-    path = Path(os.environ.get("SWELLFLOW_PROGRAM", CASES.parent / "build" / "coupling" / "swellflow"))
+    """The program that belongs to these cases, or None. SWELLFLOW_PROGRAM names another build."""
+    own = CASES.parents[2] / "bin" / "swellflow" if INSTALLED else CASES.parent / "build" / "coupling" / "swellflow"
+    path = Path(os.environ.get("SWELLFLOW_PROGRAM", own))
     return path if path.exists() else None
+
+
+def results():
+    """Where results go by default: where one works when installed, else beside the sources."""
+    return (Path.cwd() if INSTALLED else CASES.parent) / "results"
 
 
 def mpi_environment(grace=5):

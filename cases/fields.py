@@ -11,13 +11,14 @@ import frames
 
 
 class Frame:
-    """One frame: its time, cell centres x and y, cell size h, and the values u, v and pressure."""
+    """One frame: its time, cell centres x and y, cell size h, and the values u, v, pressure and those of scalars by their names."""
 
     def __init__(self, time, file):
         self.time = time
         self.x, self.y, values = frames.fields(file)
         self.h = self.x[1] - self.x[0]
-        self.values = {"u": values["velocity"][..., 0], "v": values["velocity"][..., 1], "pressure": values["pressure"]}
+        velocity = values.pop("velocity")
+        self.values = {"u": velocity[..., 0], "v": velocity[..., 1], **values}
 
     def at(self, name, x, y):
         """Values at points; x and y are numbers or arrays."""

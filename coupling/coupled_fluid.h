@@ -1,6 +1,7 @@
 // The coupled step: the fluid and LIGGGHTS' points, once a fluid step each way.
 #pragma once
 
+#include "coupling/coupled_scalar.h"
 #include "coupling/courier.h"
 #include "coupling/growth_sources.h"
 #include "coupling/marker_ring.h"
@@ -40,8 +41,24 @@ public:
   std::vector<FieldInfo> fields() const override;
   void copy_field(const std::string &name, std::vector<double> &values) const override;
   std::vector<PhaseTime> phase_times() const override;
-  double seconds_in_fluid() const override { return seconds_in_fluid_; }
+  double seconds_in_fluid() const override { return seconds_in_fluid_ + seconds_in_scalars(); }
   double seconds_in_coupling() const override { return seconds_in_coupling_; }
+
+  void add_scalar(const ScalarOptions &options) override;
+  void remove_scalar(const std::string &name) override;
+  ScalarPartner *scalar(const std::string &name) override;
+
+  // For its scalars, after a step
+  const FlowSolver<Dim> &flow() const { return flow_; }
+  double last_step() const { return last_dt_; }
+  Markers<Dim> &markers() { return *markers_; }
+  /// Of the markers on this rank's slab, when the step began.
+  const std::vector<Vec<Dim>> &marker_places() const { return x_; }
+  const std::vector<double> &marker_spacings() const { return spacing_; }
+  /// From own points to their markers on outlines, in the order of the places. Collective.
+  void tell_markers(const std::vector<double> &by_point, std::vector<double> &by_marker);
+  /// And back: by own point. Collective.
+  void hear_markers(const std::vector<double> &by_marker, std::vector<ScalarMet> &by_point);
 
 private:
   using VecD = Vec<Dim>;
@@ -69,6 +86,7 @@ private:
     bool filled;
   };
 
+  double seconds_in_scalars() const;
   void drive(const FluidDrive &drive);
   bool some_markers() const;
   void describe_markers(const std::vector<ObjectPoints> &objects, const Triple &gravity);
@@ -110,6 +128,7 @@ private:
   InnerFluid inner_fluid_;
   Courier to_slabs_, to_homes_, to_sources_;
   FluidOptions options_;
+  std::vector<std::unique_ptr<CoupledScalar<Dim>>> scalars_;
   double dt_ = 0.0, dt_before_ = 0.0;
 
   // On the rank that has the point when the step begins

@@ -34,7 +34,8 @@ template <int Dim> double CoupledFluid<Dim>::excess_growth(const ObjectPoints &o
   return ring_.dilation_rate() * (outline_shape(points_.outline(object)).area / ring_.area() - 1.0);
 }
 
-/// Sources where objects have grown in this step: the rank of an object's hub sends them to the slabs.
+/// Sources where objects have grown in this step: the flow inside has to grow with the area of the outline, as far as that goes towards the natural one, so that what leaves the box is what the
+/// outline truly gains, contact or not; what is pressed smaller the fluid inside resists. The rank of an object's hub sends them to the slabs.
 template <int Dim> void CoupledFluid<Dim>::grow_inside(const std::vector<ObjectPoints> &objects)
 {
   Stopwatch watch(seconds_in_coupling_);

@@ -5,7 +5,6 @@
 
 #include "liggghts_plugins/fix_objects.h"
 #include "liggghts_plugins/fluid_columns.h"
-#include "liggghts_plugins/objects/outline.h"
 
 namespace swellflow {
 
@@ -34,19 +33,7 @@ template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &o
 /// So many that their natural distance is no more than the marker gap that was asked for, where the outline's points are farthest apart.
 template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &object) const
 {
-  const double *hub = points_.object_point[object.hub];
-  const auto vertex = [&](int k) {
-    const double *point = points_.object_point[object.ring[k]];
-    return outline_point({point[Topology::REST_X] - hub[Topology::REST_X], point[Topology::REST_Y] - hub[Topology::REST_Y]}, point[Topology::OUTLINE_OFFSET]);
-  };
-  double longest = 0.0;
-  Vector2 before = vertex(object.n_ring - 1);
-  for (int k = 0; k < object.n_ring; ++k) {
-    const Vector2 here = vertex(k);
-    longest = std::max(longest, (here - before).norm());
-    before = here;
-  }
-  const double natural = longest * hub[Topology::LAMBDA];
+  const double *hub = points_.object_point[object.hub], natural = hub[Topology::LONGEST_SIDE] * hub[Topology::LAMBDA];
   return std::max(1, static_cast<int>(std::ceil(natural / (options_.marker_gap * flow_.grid().h) - 1e-9)));
 }
 
@@ -147,6 +134,7 @@ void CoupledFluid<Dim>::send_marker(const Marker &marker, double spacing, const 
 template <int Dim> int CoupledFluid<Dim>::slab_of(const VecD &x) const
 {
   const Grid<Dim> &grid = flow_.grid();
+  if (grid.ranks == 1) return 0;
   const int last = Grid<Dim>::last;
   const int n = grid.cells[last];
   int plane = static_cast<int>(std::floor((x[last] - grid.origin[last]) / grid.h));

@@ -1,6 +1,7 @@
 // What the coupled fluid tells of itself: its balance, its slip, its fields.
 #include "coupling/coupled_fluid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -114,6 +115,7 @@ template <int Dim> std::vector<PhaseTime> CoupledFluid<Dim>::phase_times() const
   for (int phase = 0; phase < PhaseClock::n_phases; ++phase)
     times.push_back({PhaseClock::names[phase], flow_.clock().seconds(static_cast<PhaseClock::Phase>(phase))});
   times.push_back({"markers", seconds_in_coupling_});
+  if (!scalars_.empty()) times.push_back({"scalars", seconds_in_scalars()});
   return times;
 }
 
@@ -133,17 +135,24 @@ template <int Dim> FieldBlock CoupledFluid<Dim>::field_block() const
 
 template <int Dim> std::vector<FieldInfo> CoupledFluid<Dim>::fields() const
 {
-  return {{"velocity", "length/time", 3}, {"pressure", "pressure", 1}};
+  std::vector<FieldInfo> fields = {{"velocity", "length/time", 3}, {"pressure", "pressure", 1}};
+  for (const auto &scalar : scalars_) fields.push_back({scalar->name(), "1", 1});
+  return fields;
 }
 
 template <int Dim> void CoupledFluid<Dim>::copy_field(const std::string &name, std::vector<double> &values) const
 {
   const auto &layout = flow_.layout();
+  const auto scalar = std::find_if(scalars_.begin(), scalars_.end(), [&](const auto &one) { return one->name() == name; });
   values.clear();
   for (int k = 0; k < layout.planes(); ++k)
     for (int r = 0; r < layout.rows(); ++r)
       for (int i = 0; i < layout.row_length(); ++i) {
         const std::ptrdiff_t at = layout.row(k, r) + i;
+        if (scalar != scalars_.end()) {
+          values.push_back((*scalar)->values()[at]);
+          continue;
+        }
         if (name == "pressure") {
           values.push_back(options_.density * flow_.pressure_over_density()[at]);
           continue;

@@ -19,6 +19,7 @@ template <class T> T global(void *lammps, const char *name) { return *static_cas
 void DemEngine::refresh()
 {
   n_own_ = global<int>(lammps_, "nlocal");
+  time_step_ = global<double>(lammps_, "dt");
   x = static_cast<double **>(lammps_extract_atom(lammps_, "x"));
   v = static_cast<double **>(lammps_extract_atom(lammps_, "v"));
   mass = static_cast<double *>(lammps_extract_atom(lammps_, "rmass"));
@@ -47,8 +48,6 @@ std::vector<Vector2> DemEngine::outline(const ObjectPoints &object) const
 {
   return LAMMPS_NS::outline_of(static_cast<LAMMPS_NS::LAMMPS *>(lammps_), object);
 }
-
-double DemEngine::time_step() const { return global<double>(lammps_, "dt"); }
 
 MPI_Comm DemEngine::communicator() const { return static_cast<LAMMPS_NS::LAMMPS *>(lammps_)->world; }
 

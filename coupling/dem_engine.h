@@ -16,7 +16,7 @@ class FixObjects;
 
 namespace swellflow {
 
-/// Pointers into LIGGGHTS' own memory: it moves when atoms migrate, so `refresh` before each use.
+/// Pointers into LIGGGHTS' own memory: it moves when atoms migrate, so `refresh` before each use. What is not an array is as it was then, too.
 class DemEngine {
 public:
   explicit DemEngine(void *lammps) : lammps_(lammps) {}
@@ -29,7 +29,7 @@ public:
   int own_index(int i) const;
   /// The vertices of an object's outline relative to its hub.
   std::vector<Vector2> outline(const ObjectPoints &object) const;
-  double time_step() const;
+  double time_step() const { return time_step_; }
   MPI_Comm communicator() const;
   std::array<double, 3> box_low() const { return corner("boxxlo", "boxylo", "boxzlo"); }
   std::array<double, 3> box_high() const { return corner("boxxhi", "boxyhi", "boxzhi"); }
@@ -47,6 +47,7 @@ private:
   void *lammps_;
   const LAMMPS_NS::FixObjects *objects_ = nullptr;
   int n_own_ = 0;
+  double time_step_ = 0.0;
 };
 
 }  // namespace swellflow

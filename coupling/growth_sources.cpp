@@ -5,11 +5,6 @@
 
 namespace swellflow {
 
-double followed_area(double inside, double area, double natural_area)
-{
-  return std::clamp(area, std::min(inside, natural_area), std::max(inside, natural_area));
-}
-
 std::vector<Vector2> shrunk(std::vector<Vector2> outline, double depth)
 {
   double least = HUGE_VAL;

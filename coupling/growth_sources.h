@@ -8,14 +8,6 @@
 
 namespace swellflow {
 
-/// The flow inside such an object has to grow with it. Its area V of fluid follows the area A of the outline as long as that goes towards the natural area A0:
-///
-///     V -> A, but between V and A0
-///
-/// so that what leaves the box is what the outline truly gains, contact or not; and an object that is pressed smaller, or pulled larger than it is meant to be, keeps what it
-/// has: the fluid inside resists. V is what `inside` was at the end of the step before. 2-D, per unit depth.
-double followed_area(double inside, double area, double natural_area);
-
 /// Markers ask the fluid for the velocity of the outline, averaged over the reach of their kernel. Were there sources within that reach, the average would be less than the flow that they make: a
 /// force would build up that holds growth back, without an end, since no force can change the flow through the outline, which the sources give. So they lie this deep inside, in cells: two for
 /// the kernel, one for the cells that share a source. Then what markers are asked for must be that flow: faster by `excess_growth`, since they lie inside the outline.

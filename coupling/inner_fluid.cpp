@@ -47,15 +47,20 @@ void InnerFluid::follow(const ObjectPoints &object, const ObjectMotion &motion, 
 /// sum of kappa over the points, as it resists a rigid motion, times dt; and dt times the sum of the law's forces and torques at the present velocities.
 InnerFluid::Drag InnerFluid::drag_of(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity, double dt, const DemEngine &points)
 {
-  Drag drag;
+  Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
+  double sum = 0.0, sum_x = 0.0, sum_y = 0.0, sum_square = 0.0;
   for_each_bearing(object, points, [&](int i) {
     const double rx = points.x[i][0] - motion.centre[0], ry = points.x[i][1] - motion.centre[1], kappa = points.law[i][FluidLaw::KAPPA];
     const Vec<2> v = drift_velocity(points, i, gravity);
     const double fx = points.law[i][FluidLaw::A_X] - kappa * v[0], fy = points.law[i][FluidLaw::A_Y] - kappa * v[1];
-    drag.impulse += dt * Eigen::Vector3d(fx, fy, rx * fy - ry * fx);
-    drag.mass += dt * kappa * Eigen::Matrix3d{{1.0, 0.0, -ry}, {0.0, 1.0, rx}, {-ry, rx, rx * rx + ry * ry}};
+    impulse += Eigen::Vector3d(fx, fy, rx * fy - ry * fx);
+    sum += kappa;
+    sum_x += kappa * rx;
+    sum_y += kappa * ry;
+    sum_square += kappa * (rx * rx + ry * ry);
   });
-  return drag;
+  const Eigen::Matrix3d mass{{sum, 0.0, -sum_y}, {0.0, sum, sum_x}, {-sum_y, sum_x, sum_square}};
+  return {.impulse = dt * impulse, .mass = dt * mass};
 }
 
 /// As a rigid body: (M - rho_f V) (V1 - V0) = dt [ sum (a - kappa u) + (M - rho_f V) g ], u = V1 + W1 x r + what points have beyond that now; the same with torques.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "liggghts_plugins/fix_objects.h"
 #include "liggghts_plugins/objects/outline.h"
@@ -10,14 +11,17 @@ namespace swellflow {
 
 using Column = LAMMPS_NS::FixObjects::Column;
 
-/// outline_point() is from_hub * (1 + excess).
-double MarkerRing::excess(const ObjectPoints &object, const DemEngine &points, int ring_point)
+void MarkerRing::look_at_vertices(const ObjectPoints &object, const DemEngine &points)
 {
-  const int i = object.ring[ring_point];
-  const double offset = points.object_point[i][Column::LAMBDA] * points.object_point[i][Column::OUTLINE_OFFSET];
-  if (offset == 0.0) return 0.0;
-  const double distance = std::hypot(points.x[i][0] - points.x[object.hub][0], points.x[i][1] - points.x[object.hub][1]);
-  return distance > 0.0 ? offset / distance : 0.0;
+  vertices_.resize(object.n_ring);
+  const double *x_hub = points.x[object.hub];
+  for (int k = 0; k < object.n_ring; ++k) {
+    const int i = object.ring[k];
+    const double *x = points.x[i], *v = points.v[i], *point = points.object_point[i], offset = point[Column::LAMBDA] * point[Column::OUTLINE_OFFSET];
+    const Vector2 from_hub(x[0] - x_hub[0], x[1] - x_hub[1]);
+    const double distance = offset == 0.0 ? 0.0 : from_hub.norm();
+    vertices_[k] = {from_hub, Vector2(v[0], v[1]), distance > 0.0 ? offset / distance : 0.0};
+  }
 }
 
 /// A marker's place on the side of the outline between the vertices of two points is a sum of shares of point, partner and hub; so is its place after retraction.
@@ -28,46 +32,38 @@ void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int 
   markers_.resize(static_cast<std::size_t>(object.n_ring) * per_point);
   from_hub_.resize(markers_.size());
   outline_.resize(markers_.size());
-  const double *x_hub = points.x[object.hub], *u_hub = points.v[object.hub];
+  gaps_.resize(markers_.size());
+  look_at_vertices(object, points);
+  const double *x_hub = points.x[object.hub];
+  const Vector2 u_hub(points.v[object.hub][0], points.v[object.hub][1]);
   if (points.object_point[object.hub][Column::SPOKES] == 0.0) retraction = 0.0;
   for (int m = 0; m < size(); ++m) {
     Marker &marker = markers_[m];
     marker.point = m / per_point;
     const double t = (m % per_point + 0.5) / per_point - 0.5;
-    marker.partner = (marker.point + (t < 0.0 ? object.n_ring - 1 : 1)) % object.n_ring;
+    marker.partner = t < 0.0 ? (marker.point > 0 ? marker.point : object.n_ring) - 1 : (marker.point + 1 < object.n_ring ? marker.point + 1 : 0);
     const double along = std::abs(t);
-    const int i = object.ring[marker.point], j = object.ring[marker.partner];
-    const double excess_i = (1.0 - along) * excess(object, points, marker.point), excess_j = along * excess(object, points, marker.partner);
-    const double whole = 1.0 + (excess_i + excess_j);
-    for (int d = 0; d < 2; ++d)
-      outline_[m][d] = (1.0 - along + excess_i) * points.x[i][d] + (along + excess_j) * points.x[j][d] - whole * x_hub[d];
+    const Vertex &a = vertices_[marker.point], &b = vertices_[marker.partner];
+    const double excess_a = (1.0 - along) * a.excess, excess_b = along * b.excess;
+    outline_[m] = (1.0 - along + excess_a) * a.from_hub + (along + excess_b) * b.from_hub;
     const double distance = outline_[m].norm(), pull = distance > 0.0 ? std::min(0.5, retraction / distance) : 0.0;
-    marker.along = (along + excess_j) / whole;
-    marker.share = pull - (1.0 - pull) * (excess_i + excess_j);
+    marker.along = (along + excess_b) / (1.0 + (excess_a + excess_b));
+    marker.share = pull - (1.0 - pull) * (excess_a + excess_b);
+    from_hub_[m] = (1.0 - pull) * outline_[m];
+    const Vector2 u = marker.point_weight() * a.velocity + marker.partner_weight() * b.velocity + marker.share * u_hub;
     for (int d = 0; d < 2; ++d) {
-      from_hub_[m][d] = (1.0 - pull) * outline_[m][d];
       marker.x[d] = x_hub[d] + from_hub_[m][d];
-      marker.u[d] = marker.point_weight() * points.v[i][d] + marker.partner_weight() * points.v[j][d] + marker.share * u_hub[d];
+      marker.u[d] = u[d];
     }
   }
-  const OutlineShape shape = outline_shape(from_hub_);
-  area_ = shape.area;
-  outline_area_ = outline_shape(outline_).area;
-  centroid_ = {x_hub[0] + shape.centroid.x(), x_hub[1] + shape.centroid.y()};
+  for (int m = 0; m < size(); ++m) gaps_[m] = (from_hub_[after(m)] - from_hub_[m]).norm();
+  const PolygonArea inside = polygon_area(from_hub_);
+  area_ = inside.area;
+  outline_area_ = polygon_area(outline_).area;
+  centroid_ = {x_hub[0] + inside.centroid.x(), x_hub[1] + inside.centroid.y()};
 }
 
-double MarkerRing::gap(int m) const
-{
-  const Vec<2> &a = markers_[m].x, &b = markers_[after(m)].x;
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
-
-double MarkerRing::perimeter() const
-{
-  double sum = 0.0;
-  for (int m = 0; m < size(); ++m) sum += gap(m);
-  return sum;
-}
+double MarkerRing::perimeter() const { return std::accumulate(gaps_.begin(), gaps_.end(), 0.0); }
 
 double MarkerRing::dilation_rate() const
 {

@@ -42,7 +42,7 @@ public:
   /// The markers of ring point k are those at k * per_point … (k + 1) * per_point - 1.
   const Marker &marker(int m) const { return markers_[m]; }
   int per_point() const { return per_point_; }
-  double gap(int m) const;                            ///< distance to the next marker
+  double gap(int m) const { return gaps_[m]; }        ///< distance to the next marker
   double spacing(int m) const { return 0.5 * (gap(m) + gap(before(m))); }
   double perimeter() const;
   const Vec<2> &centroid() const { return centroid_; }   ///< of the area inside the markers
@@ -53,8 +53,12 @@ public:
   double dilation_rate() const;
 
 private:
-  /// By how much more the outline is away from the hub than the ring point.
-  static double excess(const ObjectPoints &object, const DemEngine &points, int ring_point);
+  /// A ring point; the outline's vertex is 1 + excess times as far from the hub: outline_point().
+  struct Vertex {
+    Vector2 from_hub, velocity;
+    double excess;
+  };
+  void look_at_vertices(const ObjectPoints &object, const DemEngine &points);
   int size() const { return static_cast<int>(markers_.size()); }
   int before(int m) const { return m > 0 ? m - 1 : size() - 1; }
   int after(int m) const { return m + 1 < size() ? m + 1 : 0; }
@@ -63,7 +67,9 @@ private:
   std::vector<Marker> markers_;
   std::vector<InnerMarker> inner_;
   std::vector<int> inner_start_;  // by ring point, then hub; empty unless filled
+  std::vector<Vertex> vertices_;
   std::vector<Vector2> from_hub_, outline_;
+  std::vector<double> gaps_;
   double area_ = 0.0, outline_area_ = 0.0;
   Vec<2> centroid_{};
 };

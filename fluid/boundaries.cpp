@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "fluid/side_rows.h"
-
 namespace swellflow {
 
 namespace {
@@ -49,13 +47,6 @@ template <int Dim> void Boundaries<Dim>::require_solvable() const
 
 // ---- what is given where ---------------------------------------------------------------------------------------------------------------------
 
-template <int Dim> bool BoundaryValues<Dim>::is_here(int side) const
-{
-  if (boundaries_.kind[side] == Boundary::periodic) return false;
-  if (side / 2 < Dim - 1) return true;
-  return side % 2 ? grid_.at_upper_end() : grid_.at_lower_end();
-}
-
 template <int Dim> bool BoundaryValues<Dim>::is_given(int side, int c) const
 {
   return boundaries_.kind[side] == Boundary::slip ? c == side / 2 : true;
@@ -65,7 +56,7 @@ template <int Dim> bool BoundaryValues<Dim>::is_given(int side, int c) const
 
 template <int Dim>
 BoundaryValues<Dim>::BoundaryValues(const Grid<Dim> &grid, const Layout<Dim> &layout, const Boundaries<Dim> &boundaries)
-    : grid_(grid), layout_(layout), boundaries_(boundaries)
+    : grid_(grid), layout_(layout), rows_(grid, layout), boundaries_(boundaries)
 {
   boundaries_.require_solvable();
   for (int side = 0; side < 2 * Dim; ++side) {
@@ -205,7 +196,7 @@ template <int Dim> void BoundaryValues<Dim>::fill_velocity(VectorField<Dim> &u, 
 {
   for (int c = 0; c < Dim; ++c) {
     for (int side = 0; side < 2 * Dim; ++side) {
-      const std::ptrdiff_t out = (side % 2 ? 1 : -1) * layout_.stride(side / 2);
+      const std::ptrdiff_t out = rows_.outwards(side);
       const bool given = is_given(side, c);
       each_row(side, [&](std::size_t first, std::ptrdiff_t cell, int n) {
         double *inner = u[c].data() + cell;
@@ -224,8 +215,8 @@ template <int Dim> void BoundaryValues<Dim>::fill_scalar_plane(Field<Dim> &field
 {
   for (int side = 0; side < 2 * (Dim - 1); ++side) {
     if (!is_here(side)) continue;
-    const std::ptrdiff_t out = (side % 2 ? 1 : -1) * layout_.stride(side / 2);
-    each_row_in_plane(side, k, [&](std::size_t, std::ptrdiff_t cell, int n) { std::copy_n(field.data() + cell, n, field.data() + cell + out); });
+    const std::ptrdiff_t out = rows_.outwards(side);
+    rows_.each_in_plane(side, k, [&](std::size_t, std::ptrdiff_t cell, int n) { std::copy_n(field.data() + cell, n, field.data() + cell + out); });
   }
   halo.wrap_plane(field, k, width);
 }
@@ -233,7 +224,7 @@ template <int Dim> void BoundaryValues<Dim>::fill_scalar_plane(Field<Dim> &field
 template <int Dim> void BoundaryValues<Dim>::fill_scalar_ends(Field<Dim> &field, int width, const Halo<Dim> &halo) const
 {
   for (int side = 2 * Dim - 2; side < 2 * Dim; ++side) {
-    const std::ptrdiff_t out = (side % 2 ? 1 : -1) * layout_.plane_stride();
+    const std::ptrdiff_t out = rows_.outwards(side);
     each_row(side, [&](std::size_t, std::ptrdiff_t cell, int n) { std::copy_n(field.data() + cell, n, field.data() + cell + out); });
   }
   halo.fill(field, width);
@@ -243,7 +234,7 @@ template <int Dim> void BoundaryValues<Dim>::add_given(int c, int k, double fact
 {
   for (int side = 0; side < 2 * Dim; ++side) {
     if (!is_here(side) || !is_given(side, c)) continue;
-    each_row_in_plane(side, k, [&](std::size_t first, std::ptrdiff_t cell, int n) {
+    rows_.each_in_plane(side, k, [&](std::size_t first, std::ptrdiff_t cell, int n) {
       for (int i = 0; i < n; ++i) rhs[cell + i] += factor * next_[side][c][first + i];
     });
   }
@@ -253,7 +244,7 @@ template <int Dim> void BoundaryValues<Dim>::set_faces(VectorField<Dim> &faces) 
 {
   for (int side = 0; side < 2 * Dim; ++side) {
     const int d = side / 2;
-    const std::ptrdiff_t face = side % 2 ? layout_.stride(d) : 0;
+    const std::ptrdiff_t face = rows_.face(side);
     each_row(side, [&](std::size_t first, std::ptrdiff_t cell, int n) { std::copy_n(next_[side][d].data() + first, n, faces[d].data() + cell + face); });
   }
 }

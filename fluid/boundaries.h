@@ -5,6 +5,7 @@
 
 #include "fluid/direct_solver.h"
 #include "fluid/halo.h"
+#include "fluid/side_rows.h"
 
 namespace swellflow {
 
@@ -65,13 +66,11 @@ private:
   using SideValues = std::array<std::vector<double>, Dim>;
 
   bool is_given(int side, int c) const;
-  bool is_here(int side) const;
-  int rows_of(int side, int k) const;
-  std::ptrdiff_t inner_cell(int side, int k, int r) const;
-  int cells_in_row(int side) const { return side / 2 == 0 ? 1 : layout_.row_length(); }
-  std::size_t index(int side, int k, int r) const;
-  template <class F> void each_row_in_plane(int side, int k, F &&f) const;
-  template <class F> void each_row(int side, F &&f) const;
+  bool is_here(int side) const { return boundaries_.kind[side] != Boundary::periodic && rows_.reach(side); }
+  template <class F> void each_row(int side, F &&f) const
+  {
+    if (is_here(side)) rows_.each(side, f);
+  }
   double profile(int side, std::size_t index) const;
   void set_given(int side);
   void carry_out(double dt, const VectorField<Dim> &u);
@@ -80,6 +79,7 @@ private:
 
   const Grid<Dim> &grid_;
   const Layout<Dim> &layout_;
+  SideRows<Dim> rows_;
   Boundaries<Dim> boundaries_;
   std::array<SideValues, 2 * Dim> present_, next_;
   double outflow_area_ = 0.0, source_ = 0.0;

@@ -51,6 +51,7 @@ public:
   /// Where fluid appears within the box during the step, cleared and filled before `project`: div F is that, and outflows let it out. Throws std::invalid_argument in a box without
   /// outflow.
   CellSources<Dim> &sources();
+  bool has_sources() const { return sources_.has_value(); }
   /// Makes F divergence-free, or div F the sources, and ends the step. Collective.
   void project(double dt);
   /// The same to u~ and F~ before markers change them, so that they meet a fluid with the pressure of their new places; the step goes on. Collective.

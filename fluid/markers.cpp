@@ -16,72 +16,87 @@ public:
   int size() const override { return static_cast<int>(stencils_.size()); }
   void interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const override;
   void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const override;
+  void place_in_cells(const std::vector<Vec<Dim>> &positions) override;
+  void interpolate(const Field<Dim> &cells, std::vector<double> &values) const override;
+  void spread(const std::vector<double> &amounts, Field<Dim> &cells) const override;
   double scale() const override { return Kernel::scale; }
   double retraction() const override { return Kernel::retraction; }
 
 private:
   static constexpr int width = Kernel::width;
+  static constexpr int centres = Dim;  // in the place of a component: of the cells
   struct Stencil {
-    std::array<std::ptrdiff_t, Dim> first;             // by component: the lowest point of the support
-    std::array<int, Dim> first_plane;
-    std::array<std::array<std::array<double, width>, Dim>, Dim> weight;  // by component, direction, point
+    std::ptrdiff_t first;  // the lowest point of the support
+    int first_plane;
+    std::array<std::array<double, width>, Dim> weight;  // by direction, point
   };
 
-  double in_cells(const Vec<Dim> &position, int d) const;
+  Vec<Dim> in_cells(const Vec<Dim> &position) const;
   static void weigh(bool along, double r, double *w)
   {
     if constexpr (!requires { typename Kernel::Across; }) Kernel::weights(r, w);
     else if (along) Kernel::Along::weights(r, w);
     else Kernel::Across::weights(r, w);
   }
-  void place_component(const Vec<Dim> &x, int c, Stencil &stencil) const;
+  Stencil stencil_of(const Vec<Dim> &x, int c) const;
   static void leave_out_walls(int first, int lowest, int highest, std::array<double, width> &w);
 
-  template <class Visit> void each_point(const Stencil &stencil, int c, Visit &&visit) const
+  template <class Visit> void each_point(const Stencil &stencil, Visit &&visit) const
   {
-    const auto &w = stencil.weight[c];
+    const auto &w = stencil.weight;
     if constexpr (Dim == 2) {
       for (int j = 0; j < width; ++j)
-        for (int i = 0; i < width; ++i) visit(stencil.first[c] + j * layout_.stride(1) + i, w[1][j] * w[0][i]);
+        for (int i = 0; i < width; ++i) visit(stencil.first + j * layout_.stride(1) + i, w[1][j] * w[0][i]);
     } else {
       for (int k = 0; k < width; ++k)
         for (int j = 0; j < width; ++j)
           for (int i = 0; i < width; ++i)
-            visit(stencil.first[c] + k * layout_.stride(2) + j * layout_.stride(1) + i, w[2][k] * w[1][j] * w[0][i]);
+            visit(stencil.first + k * layout_.stride(2) + j * layout_.stride(1) + i, w[2][k] * w[1][j] * w[0][i]);
     }
   }
 
   const Grid<Dim> &grid_;
   const Layout<Dim> &layout_;
-  std::vector<Stencil> stencils_;
+  std::vector<std::array<Stencil, Dim>> stencils_;  // by component
+  std::vector<Stencil> cell_stencils_;
 };
 
 template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::place(const std::vector<Vec<Dim>> &positions)
 {
   stencils_.resize(positions.size());
   for (std::size_t l = 0; l < positions.size(); ++l) {
-    Vec<Dim> x;
-    for (int d = 0; d < Dim; ++d) x[d] = in_cells(positions[l], d);
-    for (int c = 0; c < Dim; ++c) place_component(x, c, stencils_[l]);
+    const Vec<Dim> x = in_cells(positions[l]);
+    for (int c = 0; c < Dim; ++c) stencils_[l][c] = stencil_of(x, c);
   }
 }
 
-/// In units of h from the box's lower corner; in a periodic direction of all images that nearest to the middle of the slab.
-template <int Dim, class Kernel> double KernelMarkers<Dim, Kernel>::in_cells(const Vec<Dim> &position, int d) const
+template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::place_in_cells(const std::vector<Vec<Dim>> &positions)
 {
-  const double size = grid_.cells[d], x = (position[d] - grid_.origin[d]) / grid_.h;
-  if (!grid_.periodic[d]) return std::clamp(x, 0.0, size);
-  const double middle = (d == Grid<Dim>::last ? grid_.first_plane : 0) + 0.5 * layout_.cells(d);
-  return x - size * std::floor((x - middle) / size + 0.5);
+  cell_stencils_.resize(positions.size());
+  for (std::size_t l = 0; l < positions.size(); ++l) cell_stencils_[l] = stencil_of(in_cells(positions[l]), centres);
 }
 
-template <int Dim, class Kernel>
-void KernelMarkers<Dim, Kernel>::place_component(const Vec<Dim> &x, int c, Stencil &stencil) const
+/// In units of h from the box's lower corner; in a periodic direction of all images that nearest to the middle of the slab.
+template <int Dim, class Kernel> Vec<Dim> KernelMarkers<Dim, Kernel>::in_cells(const Vec<Dim> &position) const
 {
+  Vec<Dim> result;
+  for (int d = 0; d < Dim; ++d) {
+    const double size = grid_.cells[d], x = (position[d] - grid_.origin[d]) / grid_.h;
+    const double middle = (d == Grid<Dim>::last ? grid_.first_plane : 0) + 0.5 * layout_.cells(d);
+    result[d] = grid_.periodic[d] ? x - size * std::floor((x - middle) / size + 0.5) : std::clamp(x, 0.0, size);
+  }
+  return result;
+}
+
+/// Of a velocity component, or `centres`.
+template <int Dim, class Kernel>
+typename KernelMarkers<Dim, Kernel>::Stencil KernelMarkers<Dim, Kernel>::stencil_of(const Vec<Dim> &x, int c) const
+{
+  Stencil stencil;
   constexpr int ghost = Grid<Dim>::ghost;
   std::array<int, Dim> first;
   for (int d = 0; d < Dim; ++d) {
-    // Faces of component c lie at whole numbers in direction c, at half ones in the others.
+    // Faces of component c lie at whole numbers in direction c, at half ones in the others; cells at half ones in all.
     const double y = x[d] - (d == c ? 0.0 : 0.5);
     const int begin = d == Grid<Dim>::last ? grid_.first_plane : 0;
     const int anchor = static_cast<int>(std::floor(y + (width % 2 ? 0.5 : 0.0)));
@@ -89,13 +104,14 @@ void KernelMarkers<Dim, Kernel>::place_component(const Vec<Dim> &x, int c, Stenc
     const int lowest = begin - ghost, highest = begin + layout_.cells(d) + ghost - width;
     first[d] = std::clamp(anchor - Kernel::anchor, lowest, highest);
     assert(std::abs(first[d] - (anchor - Kernel::anchor)) <= 1 && "a marker must lie in this rank's slab");
-    auto &w = stencil.weight[c][d];
+    auto &w = stencil.weight[d];
     weigh(d == c, y - (first[d] + Kernel::anchor), w.data());
     if (!grid_.periodic[d]) leave_out_walls(first[d], d == c ? 1 : 0, grid_.cells[d] - 1, w);
     first[d] -= begin;
   }
-  stencil.first_plane[c] = first[Dim - 1];
-  stencil.first[c] = layout_.at(first);
+  stencil.first_plane = first[Dim - 1];
+  stencil.first = layout_.at(first);
+  return stencil;
 }
 
 /// Only the points lowest … highest of the box are the fluid's.
@@ -119,7 +135,7 @@ void KernelMarkers<Dim, Kernel>::interpolate(const VectorField<Dim> &face_veloci
     for (int c = 0; c < Dim; ++c) {
       const double *face = face_velocity[c].data();
       double sum = 0.0;
-      each_point(stencils_[l], c, [&](std::ptrdiff_t at, double weight) { sum += weight * face[at]; });
+      each_point(stencils_[l][c], [&](std::ptrdiff_t at, double weight) { sum += weight * face[at]; });
       velocities[l][c] = sum;
     }
 }
@@ -132,9 +148,27 @@ void KernelMarkers<Dim, Kernel>::spread(const std::vector<Vec<Dim>> &impulses, d
     for (int c = 0; c < Dim; ++c) {
       const double change = per_impulse * impulses[l][c];
       double *face = forcing.faces(c);
-      forcing.touch(stencils_[l].first_plane[c], stencils_[l].first_plane[c] + width - 1);
-      each_point(stencils_[l], c, [&](std::ptrdiff_t at, double weight) { face[at] += weight * change; });
+      forcing.touch(stencils_[l][c].first_plane, stencils_[l][c].first_plane + width - 1);
+      each_point(stencils_[l][c], [&](std::ptrdiff_t at, double weight) { face[at] += weight * change; });
     }
+}
+
+template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::interpolate(const Field<Dim> &cells, std::vector<double> &values) const
+{
+  values.resize(cell_stencils_.size());
+  for (std::size_t l = 0; l < cell_stencils_.size(); ++l) {
+    double sum = 0.0;
+    each_point(cell_stencils_[l], [&](std::ptrdiff_t at, double weight) { sum += weight * cells[at]; });
+    values[l] = sum;
+  }
+}
+
+template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::spread(const std::vector<double> &amounts, Field<Dim> &cells) const
+{
+  for (std::size_t l = 0; l < cell_stencils_.size(); ++l) {
+    const double change = amounts[l] / grid_.cell_volume();
+    each_point(cell_stencils_[l], [&](std::ptrdiff_t at, double weight) { cells[at] += weight * change; });
+  }
 }
 
 }  // namespace

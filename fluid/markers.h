@@ -9,7 +9,7 @@
 
 namespace swellflow {
 
-/// Both operators use the same weights, products of a one-dimensional kernel on the faces of each velocity component. Points beyond a wall, and faces on it
+/// Both operators use the same weights, products of a one-dimensional kernel on the faces of each velocity component, or on the cells. Points beyond a wall, and faces on it
 /// whose velocity is given, take no part: the weights of the others are scaled to sum to 1, for both operators and all kernels alike. In a periodic
 /// direction nothing is left out: the weights reach into ghost cells.
 ///
@@ -29,6 +29,12 @@ public:
 
   /// Adds to each face the change of velocity w_l J_l / (rho h^Dim) that impulses J [mass length / time] on the markers give.
   virtual void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const = 0;
+
+  /// The same for values in the cells, at the positions of the last `place_in_cells`.
+  virtual void place_in_cells(const std::vector<Vec<Dim>> &positions) = 0;
+  virtual void interpolate(const Field<Dim> &cells, std::vector<double> &values) const = 0;
+  /// Adds to each cell w_l a_l / h^Dim.
+  virtual void spread(const std::vector<double> &amounts, Field<Dim> &cells) const = 0;
 
   /// beta of the kernel (see delta_kernel.h): what comes back of a velocity that is spread from markers a cell apart. Forcing is divided by it.
   virtual double scale() const = 0;

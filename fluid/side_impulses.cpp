@@ -1,7 +1,5 @@
 #include "fluid/side_impulses.h"
 
-#include "fluid/side_rows.h"
-
 namespace swellflow {
 
 /// Whether anything flows through it.
@@ -41,7 +39,7 @@ template <int Dim> void SideImpulses<Dim>::begin_step(double dt, double dt_befor
       case Advection::bounded: now = carried<Advection::bounded>(side, u, faces); break;
       case Advection::none: break;
     }
-    const std::ptrdiff_t out = outwards(side);
+    const std::ptrdiff_t out = sides_.rows_.outwards(side);
     sides_.each_row(side, [&](std::size_t, std::ptrdiff_t cell, int n) {
       for (int c = 0; c < Dim; ++c)
         for (int i = 0; i < n; ++i) difference[c] += u[c][cell + out + i] - u[c][cell + i];
@@ -74,7 +72,7 @@ template <int Dim> void SideImpulses<Dim>::end_step(const Field<Dim> &p, const V
   outflow_ = 0.0;
   for (int side = 0; side < 2 * Dim; ++side) {
     const int d = side / 2;
-    const std::ptrdiff_t face = side % 2 ? layout_.stride(d) : 0;
+    const std::ptrdiff_t face = sides_.rows_.face(side);
     double pressure = 0.0, flow = 0.0;
     sides_.each_row(side, [&](std::size_t, std::ptrdiff_t cell, int n) {
       for (int i = 0; i < n; ++i) pressure += p[cell + i];

@@ -37,7 +37,6 @@ public:
 private:
   bool is_open(int side) const;
   template <Advection scheme> Vec<Dim> carried(int side, const VectorField<Dim> &u, const VectorField<Dim> &faces) const;
-  std::ptrdiff_t outwards(int side) const { return (side % 2 ? 1 : -1) * layout_.stride(side / 2); }
 
   const BoundaryValues<Dim> &sides_;
   const Grid<Dim> &grid_;

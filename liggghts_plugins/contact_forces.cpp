@@ -1,5 +1,6 @@
 #include "contact_forces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -18,6 +19,13 @@
 using namespace LAMMPS_NS;
 using swellflow::Vector2;
 
+namespace {
+
+/// Of a sum of a few forces, over their magnitudes: what is left below it when the known ones are taken away is nothing.
+constexpr double round_off = 1e-14;
+
+}  // namespace
+
 ContactForces::ContactForces(LAMMPS *lmp) : lmp_(lmp)
 {
   FixObjects *objects = find_objects(lmp);
@@ -28,20 +36,24 @@ ContactForces::ContactForces(LAMMPS *lmp) : lmp_(lmp)
     if (const auto *springs = dynamic_cast<FixMassSpring *>(lmp->modify->fix[k])) springs->add_given(given.data());
     if (const auto *lubrication = dynamic_cast<FixLubricationCds *>(lmp->modify->fix[k])) lubrication->add_given(given.data());
   }
+  const std::vector<double> weight = weights();
   forces_.assign(2 * (atom->nlocal + atom->nghost), 0.0);
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int d = 0; d < 2; d++) forces_[2 * i + d] = atom->f[i][d] - given[2 * i + d];
-  take_away_weight();
+  for (int k = 0; k < 2 * atom->nlocal; k++) {
+    const double whole = atom->f[k / 2][k % 2], left = whole - given[k] - weight[k];
+    if (std::abs(left) > round_off * std::max({std::abs(whole), std::abs(given[k]), std::abs(weight[k])})) forces_[k] = left;
+  }
   objects->send_to_ghosts(forces_.data(), 2);
 }
 
-void ContactForces::take_away_weight()
+std::vector<double> ContactForces::weights() const
 {
   const Atom *atom = lmp_->atom;
+  std::vector<double> weight(2 * atom->nlocal, 0.0);
   for (const Gravity &gravity : gravities(lmp_))
     for (int i = 0; i < atom->nlocal; i++)
       if (atom->mask[i] & gravity.groupbit)
-        for (int d = 0; d < 2; d++) forces_[2 * i + d] -= atom->rmass[i] * gravity.acceleration[d];
+        for (int d = 0; d < 2; d++) weight[2 * i + d] += atom->rmass[i] * gravity.acceleration[d];
+  return weight;
 }
 
 Vector2 ContactForces::on(int i) const

@@ -17,14 +17,14 @@ class ContactForces {
   /// Collective; at the end of a step, or in setup, where atom->f must be whole (require_whole_forces).
   explicit ContactForces(LAMMPS *lmp);
 
-  /// On an own point or a ghost: atom->f less weight (fix gravity), springs and unresolved lubrication. What the fluid gives is not in atom->f.
+  /// On an own point or a ghost: atom->f less weight (fix gravity), springs and unresolved lubrication; exactly zero without contact. What the fluid gives is not in atom->f.
   swellflow::Vector2 on(int i) const;
   /// -sum F.(x - c) / (2 A), c the centre of mass, A the area in the outline: the mean stress that forces F at x give a body at rest, its trace halved
   /// (Christoffersen, Mehrabadi & Nemat-Nasser, J. Appl. Mech. 48, 339, 1981). > 0 when the object is squeezed.
   double pressure(const swellflow::ObjectPoints &object) const;
 
  private:
-  void take_away_weight();
+  std::vector<double> weights() const;
 
   LAMMPS *lmp_;
   std::vector<double> forces_;  // two values an atom, own and ghosts; empty without contacts

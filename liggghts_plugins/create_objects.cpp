@@ -11,6 +11,7 @@
 #include "fix_objects.h"
 #include "modify.h"
 #include "options.h"
+#include "region_room.h"
 #include "text_file.h"
 
 using namespace LAMMPS_NS;
@@ -27,11 +28,22 @@ void CreateObjects::command(int narg, char **arg)
 {
   swellflow::or_stop(lmp, [&] {
     require_settings();
-    objects_ = swellflow::read_object_list(narg, arg, [this](const std::string &name) { return text_of_file(lmp, "create_objects", name); });
+    swellflow::ObjectList list = swellflow::read_object_list(narg, arg, scene());
+    objects_ = std::move(list.objects);
+    remark_ = list.remark;
+    overlap_ = list.overlap;
     for (const auto &object : objects_) check_place(object);
     check_overlap();
   });
   create();
+}
+
+swellflow::ObjectScene CreateObjects::scene() const
+{
+  return {.text_of_file = [this](const std::string &name) { return text_of_file(lmp, "create_objects", name); },
+          .box = [this] { return box(); },
+          .region = [this](const std::string &id) { return room_of_region(lmp, id, box()); },
+          .existing = [this] { return existing_objects(); }};
 }
 
 void CreateObjects::create()
@@ -106,7 +118,7 @@ void CreateObjects::describe_points(int first) const
     point[FixObjects::MEAN_SQUARE_RADIUS] = made.diameter * made.diameter * shape.mean_square_radius;
     point[FixObjects::SPOKES] = shape.spokes;
     point[FixObjects::SPOKE_LENGTH] = on_ring ? made.diameter * on_ring->spoke_length : 0.0;
-    point[FixObjects::RING_LENGTH] = on_ring ? made.diameter * on_ring->ring_length : 0.0;
+    point[on_ring ? FixObjects::RING_LENGTH : FixObjects::LONGEST_SIDE] = made.diameter * (on_ring ? on_ring->ring_length : shape.longest_side());
     const Vector2 rest = made.placed((on_ring ? on_ring->x : shape.hub) - shape.centre_of_mass);
     point[FixObjects::REST_X] = rest.x();
     point[FixObjects::REST_Y] = rest.y();
@@ -136,5 +148,5 @@ void CreateObjects::publish(int n_points) const
   atom->map_set();
   if (comm->me != 0) return;
   for (FILE *out : {screen, logfile})
-    if (out) fprintf(out, "Created %d objects with %d points\n", static_cast<int>(objects_.size()), n_points);
+    if (out) fprintf(out, "Created %d objects with %d points%s\n", static_cast<int>(objects_.size()), n_points, remark_.c_str());
 }

@@ -1,4 +1,4 @@
-// Input command that makes objects in bulk: one, a lattice, or a file of them.
+// Input command that makes objects in bulk: one, a lattice, a random packing, or a file of them.
 #pragma once
 
 #include <string>
@@ -25,8 +25,9 @@ class CreateObjects : protected Pointers {
   void check_place(const swellflow::NewObject &object) const;
   void check_overlap() const;
   void warn_of_contacts(const std::vector<swellflow::Footprint> &footprints) const;
-  std::vector<swellflow::Footprint> existing_footprints() const;
+  std::vector<swellflow::ExistingObject> existing_objects() const;
   swellflow::PlaneBox box() const;
+  swellflow::ObjectScene scene() const;
 
   void create();
   void create_point(int object, int index, int tag, int molecule);
@@ -35,6 +36,8 @@ class CreateObjects : protected Pointers {
 
   std::vector<swellflow::NewObject> objects_;
   std::vector<OwnPoint> own_points_;
+  std::string remark_;
+  double overlap_ = 0.0;  // by which outlines may
 };
 
 }  // namespace LAMMPS_NS

@@ -1,7 +1,7 @@
 // Which places new objects may have, and which they may not.
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 
 #include "all_ranks.h"
 #include "atom.h"
@@ -15,6 +15,7 @@
 #include "options.h"
 
 using namespace LAMMPS_NS;
+using swellflow::ExistingObject;
 using swellflow::Footprint;
 using swellflow::NewObject;
 using swellflow::shown;
@@ -76,10 +77,12 @@ void CreateObjects::check_place(const NewObject &object) const
 
 void CreateObjects::check_overlap() const
 {
-  std::vector<Footprint> footprints = existing_footprints();
+  std::vector<Footprint> footprints;
+  for (ExistingObject &object : existing_objects()) footprints.push_back(std::move(object.footprint));
   const int first_new = footprints.size();
   for (const NewObject &object : objects_) footprints.push_back(object.footprint());
-  if (const auto overlap = swellflow::deepest_overlap(footprints, first_new, box())) {
+  const auto overlap = swellflow::deepest_overlap(footprints, first_new, box());
+  if (overlap && overlap->depth > overlap_) {
     const auto place = [&](int k) { return position(footprints[k].circle.centre); };
     const bool with_earlier = overlap->first < first_new;
     throw swellflow::OptionError(objects_[overlap->second - first_new].place + ": objects must not overlap, but the one at " +
@@ -115,11 +118,11 @@ void CreateObjects::warn_of_contacts(const std::vector<Footprint> &footprints) c
    their natural size. Their points may lie on several ranks.
 ------------------------------------------------------------------------- */
 
-std::vector<Footprint> CreateObjects::existing_footprints() const
+std::vector<ExistingObject> CreateObjects::existing_objects() const
 {
   struct Point {
     int hub_tag, index, ring_points;
-    double x, y, outline_offset, natural_area;
+    double x, y, outline_offset, natural_area, reach;
   };
   std::vector<Point> own;
   if (const FixObjects *objects = find_objects(lmp))
@@ -129,27 +132,30 @@ std::vector<Footprint> CreateObjects::existing_footprints() const
       domain->unmap(atom->x[i], atom->image[i], x);
       const double *point = objects->points()[i], lambda = point[FixObjects::LAMBDA];
       own.push_back({objects->tag_of_hub(i), static_cast<int>(point[FixObjects::INDEX]), static_cast<int>(point[FixObjects::RING_POINTS]), x[0], x[1],
-                     lambda * point[FixObjects::OUTLINE_OFFSET], lambda * lambda * point[FixObjects::NATURAL_AREA]});
+                     lambda * point[FixObjects::OUTLINE_OFFSET], lambda * lambda * point[FixObjects::NATURAL_AREA],
+                     point[FixObjects::HAS_CDS] ? atom->radius[i] - lambda * point[FixObjects::OUTLINE_OFFSET] : 0.0});
     }
-  std::unordered_map<int, std::vector<Point>> objects;
+  std::map<int, std::vector<Point>> objects;  // by tag: in the same order on any number of ranks
   for (const Point &point : from_all_ranks(own, world)) {
     auto &points = objects[point.hub_tag];
     points.resize(point.ring_points + 1);
     points[point.index + 1] = point;
   }
-  std::vector<Footprint> footprints;
+  std::vector<ExistingObject> existing;
   for (const auto &[tag, points] : objects) {
     const Vector2 hub(points[0].x, points[0].y);
-    Footprint footprint{{hub, 0.0}, {}};
-    for (std::size_t k = 1; k < points.size(); k++)
+    existing.push_back({{{hub, 0.0}, {}}, 0.0});
+    Footprint &footprint = existing.back().footprint;
+    for (std::size_t k = 1; k < points.size(); k++) {
       footprint.outline.push_back(swellflow::outline_point(Vector2(points[k].x, points[k].y) - hub, points[k].outline_offset));
+      existing.back().reach = std::max(existing.back().reach, points[k].reach);
+    }
     const double area = swellflow::outline_shape(footprint.outline).area;
     const double growth = area > 0.0 ? std::max(1.0, std::sqrt(points[0].natural_area / area)) : 1.0;
     for (Vector2 &vertex : footprint.outline) {
       vertex *= growth;
       footprint.circle.radius = std::max(footprint.circle.radius, vertex.norm());
     }
-    footprints.push_back(std::move(footprint));
   }
-  return footprints;
+  return existing;
 }

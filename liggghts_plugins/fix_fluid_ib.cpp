@@ -15,6 +15,7 @@
 #include "gravity.h"
 #include "modify.h"
 #include "options.h"
+#include "per_atom_values.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -62,20 +63,10 @@ int FixFluidIb::setmask()
 
 void FixFluidIb::post_create()
 {
-  law_ = make_property(FluidLaw::NAME, FluidLaw::N_COLUMNS, true);
-  impulse_ = make_property(FluidImpulse::NAME, FluidImpulse::N_COLUMNS, true);
-  carried_ = make_property(FluidCarried::NAME, FluidCarried::N_COLUMNS, true);
-  make_property(FluidState::NAME, FluidState::N_COLUMNS, false);
-}
-
-FixPropertyAtom *FixFluidIb::make_property(const char *name, int columns, bool on_ghosts)
-{
-  std::vector<const char *> words = {name, "all", "property/atom", name, "vector", "no", on_ghosts ? "yes" : "no", "no"};
-  words.resize(words.size() + columns, "0");
-  std::vector<char *> arguments;
-  for (const char *word : words) arguments.push_back(const_cast<char *>(word));
-  modify->add_fix(arguments.size(), arguments.data());
-  return static_cast<FixPropertyAtom *>(modify->fix[modify->find_fix(name)]);
+  law_ = add_per_atom_values(lmp, FluidLaw::NAME, FluidLaw::N_COLUMNS, true);
+  impulse_ = add_per_atom_values(lmp, FluidImpulse::NAME, FluidImpulse::N_COLUMNS, true);
+  carried_ = add_per_atom_values(lmp, FluidCarried::NAME, FluidCarried::N_COLUMNS, true);
+  add_per_atom_values(lmp, FluidState::NAME, FluidState::N_COLUMNS, false);
 }
 
 void FixFluidIb::pre_delete(bool unfixflag)

@@ -30,7 +30,9 @@ class FixFluidIb : public Fix {
 
   /// Null before the first run.
   const swellflow::FluidPartner *partner() const { return partner_.get(); }
+  swellflow::FluidPartner *partner() { return partner_.get(); }
   double density() const { return script_->options().density; }
+  double kinematic_viscosity() const { return script_->options().kinematic_viscosity; }
   /// Between begin and end of a DEM step: whether it is the first, or the last, of its fluid step.
   bool first_dem_step() const { return dem_step_ == 0; }
   bool last_dem_step() const { return dem_step_ + 1 == dem_steps_; }
@@ -48,7 +50,6 @@ class FixFluidIb : public Fix {
   const class FixSwell *inflating_swell() const;
   void warn_without_resistance();
   void make_partner();
-  FixPropertyAtom *make_property(const char *name, int columns, bool on_ghosts);
   const std::vector<swellflow::ObjectPoints> &objects();
   swellflow::FluidDrive drive();
   const swellflow::FluidReport &report();

@@ -18,17 +18,11 @@ using swellflow::ObjectPoints;
 using swellflow::Range;
 using swellflow::Vector2;
 
-namespace {
-
-Vector2 plane(const double *x) { return {x[0], x[1]}; }
-
-}  // namespace
-
 /* ---------------------------------------------------------------------- */
 
 FixMassSpring::FixMassSpring(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), restitution_(1.0), objects_(nullptr), dashpot_(nullptr), dashpot_step_(-1), solved_groups_(0), explicit_groups_(0),
-    totals_step_(-1)
+    totals_step_(-1), natural_of_list_(-1)
 {
   swellflow::or_stop(lmp, [&] { parse(narg, arg); });
   law_.damping = swellflow::damping_ratio(restitution_);
@@ -130,11 +124,11 @@ void FixMassSpring::setup(int)
 {
   objects_->require_whole_objects(*this);
   require_stable_step();
-  add_springs([this](int i, const Vector2 &F) { atom->f[i][0] += F.x(), atom->f[i][1] += F.y(); });
-  if (!damped()) return;
-  if (dashpot_step_ != update->ntimestep) measure_dashpots();
-  forget_dashpots_of_solved_objects();
-  add_dashpots();
+  if (damped()) forget_dashpots_of_solved_objects();
+  const bool kept = damped() && dashpot_step_ == update->ntimestep;
+  add_forces(damped() && !kept);
+  for (int i = 0; kept && i < atom->nlocal; i++)
+    for (int d = 0; d < 2; d++) atom->f[i][d] += dashpot_->array_atom[i][d];
 }
 
 /// They were kept in the last run, when another fix may have moved these objects.
@@ -151,10 +145,7 @@ void FixMassSpring::post_force(int)
   // Objects that shrink, or stiffen as they swell, vibrate ever faster; beyond the limit a disturbance grows by a third a step.
   constexpr bigint steps_between_checks = 100;
   if (update->ntimestep % steps_between_checks == 0) require_stable_step();
-  add_springs([this](int i, const Vector2 &F) { atom->f[i][0] += F.x(), atom->f[i][1] += F.y(); });
-  if (!damped()) return;
-  measure_dashpots();
-  add_dashpots();
+  add_forces(damped());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -168,80 +159,94 @@ bool FixMassSpring::gives_forces_to(const ObjectPoints &object) const
 
 const swellflow::SpringSet &FixMassSpring::springs_of(const ObjectPoints &object) const
 {
-  double **points = objects_->points(), *mass = atom->rmass;
-  const bool spokes = points[object.hub][FixObjects::SPOKES] != 0.0;
-  springs_.ring.resize(object.n_ring);
-  springs_.spokes.resize(spokes ? object.n_ring : 0);
-  for (int k = 0; k < object.n_ring; k++) {
-    const int a = object.ring[k], b = object.ring[k + 1 < object.n_ring ? k + 1 : 0];
-    const double lambda = points[a][FixObjects::LAMBDA];
-    springs_.ring[k] = law_.spring(points[a][FixObjects::RING_LENGTH], lambda, mass[a], mass[b]);
-    if (spokes) springs_.spokes[k] = law_.spring(points[a][FixObjects::SPOKE_LENGTH], lambda, mass[a], mass[object.hub]);
-  }
+  const swellflow::SpringScale scale = scale_of(object);
+  springs_ = natural_springs(object);
+  for (auto *springs : {&springs_.ring, &springs_.spokes})
+    for (auto &spring : *springs) spring = scale * spring;
   return springs_;
 }
 
-/// visit(a, b, spring), each spring once; `a` is the ring point that the spring is stored with.
-template <typename Visit>
-void FixMassSpring::for_each_spring(const ObjectPoints &object, const Visit &visit) const
+/* ----------------------------------------------------------------------
+   as the objects were made; kept until there is a new list of objects
+------------------------------------------------------------------------- */
+
+const swellflow::SpringSet &FixMassSpring::natural_springs(const ObjectPoints &object) const
 {
-  swellflow::for_each_spring(springs_of(object), [&](int k, int other, const swellflow::Spring &spring) {
-    visit(object.ring[k], other == object.n_ring ? object.hub : object.ring[other], spring);
+  const std::vector<ObjectPoints> &objects = objects_->objects();
+  if (natural_of_list_ != objects_->list_number()) {
+    natural_.resize(objects.size());
+    for (std::size_t k = 0; k < objects.size(); k++) find_natural_springs(objects[k], natural_[k]);
+    natural_of_list_ = objects_->list_number();
+  }
+  return natural_[&object - objects.data()];
+}
+
+void FixMassSpring::find_natural_springs(const ObjectPoints &object, swellflow::SpringSet &springs) const
+{
+  using enum FixObjects::Column;
+  double **points = objects_->points();
+  const double *hub = points[object.hub];
+  springs.ring.resize(object.n_ring);
+  springs.spokes.resize(hub[SPOKES] != 0.0 ? object.n_ring : 0);
+  for (int k = 0; k < object.n_ring; k++) {
+    const double *a = points[object.ring[k]], *b = points[object.ring[k + 1 < object.n_ring ? k + 1 : 0]];
+    springs.ring[k] = law_.natural(a[RING_LENGTH], a[MASS], b[MASS]);
+    if (springs.has_spokes()) springs.spokes[k] = law_.natural(a[SPOKE_LENGTH], a[MASS], hub[MASS]);
+  }
+}
+
+/// The first ring point speaks for all.
+swellflow::SpringScale FixMassSpring::scale_of(const ObjectPoints &object) const
+{
+  const int i = object.ring[0];
+  const double *point = objects_->points()[i];
+  return law_.scale(point[FixObjects::LAMBDA], atom->rmass[i] / point[FixObjects::MASS]);
+}
+
+/* ----------------------------------------------------------------------
+   f(own point i, force of its springs, of its dashpots). A point may be
+   here as an image while its own atom lies at the other side of a periodic
+   box.
+------------------------------------------------------------------------- */
+
+template <typename F>
+void FixMassSpring::for_each_force(bool with_dashpots, const F &f) const
+{
+  for (const ObjectPoints &object : objects_->objects()) {
+    if (!gives_forces_to(object)) continue;
+    forces_.resize(object.n_ring + 1);
+    const auto point = [&object](int k) { return k < object.n_ring ? object.ring[k] : object.hub; };
+    for (int k = 0; k <= object.n_ring; k++) {
+      const double *x = atom->x[point(k)], *v = atom->v[point(k)];
+      forces_.x[k] = {x[0], x[1]};
+      if (with_dashpots) forces_.v[k] = {v[0], v[1]};
+    }
+    forces_.find(natural_springs(object), scale_of(object), with_dashpots);
+    for (int k = 0; k <= object.n_ring; k++)
+      if (const int own = objects_->own_index(point(k)); own >= 0) f(own, forces_.spring[k], forces_.dashpot[k]);
+  }
+}
+
+/// The dashpots' forces are kept where they are wanted.
+void FixMassSpring::add_forces(bool with_dashpots)
+{
+  double **f = atom->f, **kept = with_dashpots ? dashpot_->array_atom : nullptr;
+  for_each_force(with_dashpots, [f, kept](int i, const Vector2 &spring, const Vector2 &dashpot) {
+    for (int d = 0; d < 2; d++) f[i][d] += spring[d];
+    if (!kept) return;
+    for (int d = 0; d < 2; d++) f[i][d] += kept[i][d] = dashpot[d];
   });
-}
-
-/// add(i, force on own point i)
-template <typename Add>
-void FixMassSpring::add_springs(const Add &add) const
-{
-  double **x = atom->x;
-  for (const ObjectPoints &object : objects_->objects()) {
-    if (!gives_forces_to(object)) continue;
-    for_each_spring(object, [&](int a, int b, const swellflow::Spring &spring) {
-      add_pair(add, a, b, swellflow::spring_force(plane(x[a]), plane(x[b]), spring.length, spring.stiffness));
-    });
-  }
-}
-
-void FixMassSpring::measure_dashpots()
-{
-  double **x = atom->x, **v = atom->v, **dashpot = dashpot_->array_atom;
-  for (int i = 0; i < atom->nlocal; i++) dashpot[i][0] = dashpot[i][1] = 0.0;
-  const auto add = [dashpot](int i, const Vector2 &F) { dashpot[i][0] += F.x(), dashpot[i][1] += F.y(); };
-  for (const ObjectPoints &object : objects_->objects()) {
-    if (!gives_forces_to(object)) continue;
-    for_each_spring(object, [&](int a, int b, const swellflow::Spring &spring) {
-      add_pair(add, a, b, swellflow::dashpot_force(plane(x[a]), plane(x[b]), plane(v[a]), plane(v[b]), spring.dashpot));
-    });
-  }
-  dashpot_step_ = update->ntimestep;
-}
-
-void FixMassSpring::add_dashpots()
-{
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int d = 0; d < 2; d++) atom->f[i][d] += dashpot_->array_atom[i][d];
+  if (with_dashpots) dashpot_step_ = update->ntimestep;
 }
 
 void FixMassSpring::add_given(double *own_xy) const
 {
-  add_springs([own_xy](int i, const Vector2 &F) { own_xy[2 * i] += F.x(), own_xy[2 * i + 1] += F.y(); });
+  for_each_force(false, [own_xy](int i, const Vector2 &spring, const Vector2 &) {
+    for (int d = 0; d < 2; d++) own_xy[2 * i + d] += spring[d];
+  });
   if (!damped() || dashpot_step_ != update->ntimestep) return;
   for (int i = 0; i < atom->nlocal; i++)
     for (int d = 0; d < 2; d++) own_xy[2 * i + d] += dashpot_->array_atom[i][d];
-}
-
-/* ----------------------------------------------------------------------
-   to the own atoms of a pair; a point may be here as an image while its
-   own atom lies at the other side of a periodic box
-------------------------------------------------------------------------- */
-
-template <typename Add>
-void FixMassSpring::add_pair(const Add &add, int a, int b, const Vector2 &F) const
-{
-  const int own_a = objects_->own_index(a), own_b = objects_->own_index(b);
-  if (own_a >= 0) add(own_a, F);
-  if (own_b >= 0) add(own_b, -F);
 }
 
 /* ---------------------------------------------------------------------- */

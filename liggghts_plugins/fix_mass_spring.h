@@ -6,6 +6,7 @@
 
 #include "fix.h"
 #include "fluid_partner.h"
+#include "objects/spring_forces.h"
 #include "objects/spring_law.h"
 #include "options.h"
 
@@ -45,16 +46,14 @@ class FixMassSpring : public Fix {
   void parse(int narg, char **arg);
   void read_stiffening(swellflow::Arguments &line);
   void find_integrators();
-  template <typename Visit>
-  void for_each_spring(const swellflow::ObjectPoints &object, const Visit &visit) const;
   bool gives_forces_to(const swellflow::ObjectPoints &object) const;
-  template <typename Add>
-  void add_springs(const Add &add) const;
-  void measure_dashpots();
+  const swellflow::SpringSet &natural_springs(const swellflow::ObjectPoints &object) const;
+  void find_natural_springs(const swellflow::ObjectPoints &object, swellflow::SpringSet &springs) const;
+  swellflow::SpringScale scale_of(const swellflow::ObjectPoints &object) const;
+  template <typename F>
+  void for_each_force(bool with_dashpots, const F &f) const;
+  void add_forces(bool with_dashpots);
   void forget_dashpots_of_solved_objects();
-  void add_dashpots();
-  template <typename Add>
-  void add_pair(const Add &add, int a, int b, const swellflow::Vector2 &F) const;
   bool damped() const { return law_.damping > 0.0; }
   std::string dashpot_property() const { return std::string("spring_dashpot_") + id; }
   const Totals &totals();
@@ -74,6 +73,9 @@ class FixMassSpring : public Fix {
   Totals totals_;
   bigint totals_step_;  // of totals_; -1: none
   mutable swellflow::SpringSet springs_;
+  mutable swellflow::SpringForces forces_;
+  mutable std::vector<swellflow::SpringSet> natural_;  // of objects(), by their place in that list
+  mutable int natural_of_list_;                        // number of the list; -1: none
 };
 
 }  // namespace LAMMPS_NS

@@ -64,7 +64,7 @@ const FixMassSpring::Totals &FixMassSpring::totals()
       const double stretch = (plane(x[a]) - plane(x[b])).norm() - spring.length;
       sums[0] += 0.5 * spring.stiffness * stretch * stretch;
       if (spring.length > 0.0) largest_strain = std::max(largest_strain, std::abs(stretch) / spring.length);
-      const double closing = (plane(&v[2 * a]) - plane(&v[2 * b])).dot(swellflow::direction(plane(x[a]), plane(x[b])));
+      const double closing = (plane(&v[2 * a]) - plane(&v[2 * b])).dot(swellflow::Direction(plane(x[a]), plane(x[b])).n);
       sums[1] += spring.dashpot * closing * closing;
     });
   }

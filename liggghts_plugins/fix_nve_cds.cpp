@@ -51,9 +51,10 @@ void FixNveCds::kick_half_a_step()
   FixObjects *objects = find_objects(lmp);
   if (objects) timing.emplace(objects->clock(), swellflow::StepClock::integration);
   double **law = fluid_columns(lmp, FluidLaw::NAME), **impulse = fluid_columns(lmp, FluidImpulse::NAME);
+  const bool some_follow = objects && objects->some_follow_their_ring();
   const double half_step = 0.5 * update->dt * force->ftm2v;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || (objects && objects->follows_its_ring(i))) continue;
+    if (!(atom->mask[i] & groupbit) || (some_follow && objects->follows_its_ring(i))) continue;
     if (law && impulse)
       kick_in_fluid(i, half_step, mass_of(i), law[i], impulse[i]);
     else
@@ -63,7 +64,8 @@ void FixNveCds::kick_half_a_step()
 
 void FixNveCds::kick(int i, double half_step, double mass)
 {
-  for (int d = 0; d < 3; d++) atom->v[i][d] += half_step * atom->f[i][d] / mass;
+  const double per_mass = half_step / mass;
+  for (int d = 0; d < 3; d++) atom->v[i][d] += per_mass * atom->f[i][d];
 }
 
 /* ----------------------------------------------------------------------
@@ -74,8 +76,9 @@ void FixNveCds::kick_in_fluid(int i, double half_step, double mass, const double
 {
   const double kappa = law[FluidLaw::KAPPA], *a = law + FluidLaw::A_X;
   double *v = atom->v[i];
+  const double per_mass = 1.0 / (mass + half_step * kappa);
   for (int d = 0; d < 3; d++) {
-    v[d] = (mass * v[d] + half_step * (atom->f[i][d] + a[d])) / (mass + half_step * kappa);
+    v[d] = (mass * v[d] + half_step * (atom->f[i][d] + a[d])) * per_mass;
     impulse[d] += 0.5 * update->dt * (a[d] - kappa * v[d]);
   }
 }

@@ -133,6 +133,7 @@ bool FixObjects::find_points(int i, int &hub, int *ring) const
 void FixObjects::list_objects()
 {
   objects_.clear();
+  list_number_++;
   ring_indices_.clear();
   listed_atoms_ = atom->nlocal;
   listed_ghosts_ = atom->nghost;
@@ -147,7 +148,11 @@ void FixObjects::list_objects()
     if (!find_points(i, hub, &ring_indices_[first_ring_point.back()])) lost = std::max(lost, atom->molecule[i]);
     objects_.push_back({.hub = hub, .ring = nullptr, .n_ring = n});
   }
-  for (std::size_t k = 0; k < objects_.size(); k++) objects_[k].ring = &ring_indices_[first_ring_point[k]];
+  some_follow_ = false;
+  for (std::size_t k = 0; k < objects_.size(); k++) {
+    objects_[k].ring = &ring_indices_[first_ring_point[k]];
+    some_follow_ = some_follow_ || follows_its_ring(objects_[k].hub);
+  }
 
   Counts now = own_counts();
   now[TORN] = lost > 0;

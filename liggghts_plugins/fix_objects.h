@@ -41,7 +41,8 @@ class FixObjects : public Fix {
     RATE_FACTOR,       // of the object's swelling law: its speed over that of the law
     SIZE_FACTOR,       // its growth over that of the law
     ROTATION,          // angle by which the object has turned since it was made, not wrapped
-    N_COLUMNS
+    N_COLUMNS,
+    LONGEST_SIDE = RING_LENGTH  // hubs have that of their outline there, at lambda = 1
   };
   static constexpr const char *ID = "objects";
   static constexpr const char *PROPERTY = "object_point";
@@ -72,6 +73,8 @@ class FixObjects : public Fix {
   /// All objects with an own point on this rank. Indices may be ghosts: for each object, of the image that is nearest to
   /// one of its own points. Valid from the reneighbouring of a step until the next.
   const std::vector<swellflow::ObjectPoints> &objects() const { return objects_; }
+  /// Another one whenever that list is made anew.
+  int list_number() const { return list_number_; }
   /// Whether this rank is the one that counts and writes this object.
   bool owns(const swellflow::ObjectPoints &object) const;
   /// The own atom that is the same point as atom `i` (own or ghost), or -1 when another rank owns it.
@@ -81,6 +84,8 @@ class FixObjects : public Fix {
   bool is_point(int i) const { return points()[i][RING_POINTS] > 0.0; }
   /// Whether it is a hub without spokes, which is set to the mean of its ring in every step and must not be integrated.
   bool follows_its_ring(int i) const;
+  /// Whether there are any on this rank, since the last reneighbouring.
+  bool some_follow_their_ring() const { return some_follow_; }
   /// Of the hub of the object that point `i` belongs to.
   int tag_of_hub(int i) const;
   /// Whether objects() agrees with LIGGGHTS' arrays: not before the first run, nor after a command has moved atoms about.
@@ -140,6 +145,8 @@ class FixObjects : public Fix {
   std::vector<int> ring_indices_;
   bool excludes_ = false;           // neighbour lists leave out GROUP_WITHOUT_CDS
   int listed_atoms_ = 0, listed_ghosts_ = 0;  // when objects_ was made
+  int list_number_ = 0;
+  bool some_follow_ = false;
   Counts counts_;                   // on all ranks, when the run or the last reneighbouring began
   std::vector<const Fix *> fixes_;  // when the run began
   std::vector<double> radius_cap_;  // per type, what max_rad returns

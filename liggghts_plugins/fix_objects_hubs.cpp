@@ -45,6 +45,7 @@ void FixObjects::setup_pre_force(int vflag) { pre_force(vflag); }
 
 void FixObjects::pre_force(int)
 {
+  if (!some_follow_) return;
   double **x = atom->x, **v = atom->v;
   for (const auto &object : objects_) {
     const int hub = object.hub;

@@ -9,6 +9,7 @@
 #include "comm.h"
 #include "contact_forces.h"
 #include "error.h"
+#include "fix_fluid_scalar.h"
 #include "fix_objects.h"
 #include "neighbor.h"
 #include "object_geometry.h"
@@ -35,14 +36,14 @@ bool starts_alike(const double *a, const double *b)
 /* ---------------------------------------------------------------------- */
 
 FixSwell::FixSwell(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), variable_value_(1.0), least_variable_(0.0), least_object_(0), restored_(false), own_settled_at_(-1), settled_at_(-1),
+    Fix(lmp, narg, arg), variable_value_(1.0), variable_before_(1.0), least_variable_(0.0), least_object_(0), restored_(false), own_settled_at_(-1), settled_at_(-1),
     objects_(nullptr), values_{}, values_step_(-1)
 {
   swellflow::or_stop(lmp, [&] {
     swellflow::Arguments line(std::string("fix ") + id + " swell", narg - 3, arg + 3);
     script_ = swellflow::read_swell(lmp, line);
   });
-  clock_ = {.base_time = 0.0, .base_step = static_cast<long>(update->ntimestep), .step_length = update->dt};
+  clock_ = {.base_time = 0.0, .base_step = static_cast<long>(update->ntimestep), .step_length = script_.clock * update->dt};
   restart_global = 1;
   scalar_flag = vector_flag = 1;
   size_vector = N_VALUES;
@@ -51,7 +52,10 @@ FixSwell::FixSwell(LAMMPS *lmp, int narg, char **arg) :
   nevery = 1;
 }
 
-int FixSwell::setmask() { return POST_INTEGRATE | PRE_FORCE | (script_.slowed_by_load() ? PRE_INITIAL_INTEGRATE | END_OF_STEP : 0); }
+int FixSwell::setmask()
+{
+  return POST_INTEGRATE | PRE_FORCE | (script_.has_own_clocks() ? PRE_INITIAL_INTEGRATE : 0) | (script_.slowed_by_load() || script_.clock > 1.0 ? END_OF_STEP : 0);
+}
 
 void FixSwell::post_create()
 {
@@ -71,9 +75,10 @@ void FixSwell::init()
   objects_ = require_objects(lmp, *this);
   // Without this flag LIGGGHTS' neighbour lists ignore that radii grow.
   atom->radvary_flag = 1;
-  clock_.change_step_length(update->ntimestep, update->dt);
+  clock_.change_step_length(update->ntimestep, script_.clock * update->dt);
   require_one_law_per_object();
   if (script_.slowed_by_load()) require_whole_forces(lmp, *this);
+  if (script_.needs_food()) find_food();
   start_law();
   if (script_.law) {
     require_starts();
@@ -82,7 +87,7 @@ void FixSwell::init()
     swellflow::or_stop(lmp, [this] { script_.size.require(lmp); });
     find_least_variable();
   }
-  values_step_ = -1;
+  values_step_ = pace_step_ = -1;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -92,7 +97,7 @@ bool FixSwell::is_ours(int i) const { return (atom->mask[i] & groupbit) && objec
 double FixSwell::time() const { return clock_.time(update->ntimestep); }
 
 /* ----------------------------------------------------------------------
-   the object's own time since its law began: load moves START_TIME on
+   the object's own time since its law began: load and hunger move START_TIME on
 ------------------------------------------------------------------------- */
 
 double FixSwell::elapsed(const double *point, double time) const
@@ -103,6 +108,7 @@ double FixSwell::elapsed(const double *point, double time) const
 void FixSwell::setup_pre_force(int)
 {
   evaluate_variable();
+  variable_before_ = variable_value_;  // how it came there is not known
   grow(0, atom->nlocal + atom->nghost, true);
   own_settled_at_ = settled_at_ = -1;
 }
@@ -120,7 +126,7 @@ void FixSwell::setup(int)
 
 void FixSwell::post_integrate()
 {
-  values_step_ = -1;  // a variable may have asked for the values of this step before it came
+  values_step_ = pace_step_ = -1;  // a variable may have asked for the values of this step before it came
   if (settled()) return;
   evaluate_variable();
   own_settled_at_ = grow(0, atom->nlocal, false) ? neighbor->lastcall : -1;
@@ -128,7 +134,7 @@ void FixSwell::post_integrate()
 
 void FixSwell::pre_force(int)
 {
-  if (script_.slowed_by_load()) tell_ghosts_their_starts();
+  if (script_.has_own_clocks()) tell_ghosts_their_starts();
   if (settled()) return;
   const bool ghosts_settled = grow(atom->nlocal, atom->nlocal + atom->nghost, false);
   settled_at_ = ghosts_settled && own_settled_at_ == neighbor->lastcall ? neighbor->lastcall : -1;
@@ -144,6 +150,7 @@ bool FixSwell::settled() const { return script_.law && settled_at_ >= 0 && settl
 void FixSwell::evaluate_variable()
 {
   if (script_.law) return;
+  variable_before_ = variable_value_;
   swellflow::with_variables(lmp, update->ntimestep + 1, [this] { variable_value_ = script_.size.evaluate(lmp); });
   if (!(variable_value_ > least_variable_)) fail_size(least_object_, variable_value_, time());
 }
@@ -185,13 +192,15 @@ bool FixSwell::grow(int from, int to, bool all)
   double **points = objects_->points();
   const double t = time();
   const double *like = nullptr;  // the point that `now` is of: neighbours in memory belong to one object, or to objects that began alike
+  int molecule = 0;              // of its object
   Natural now{};
   bool all_settled = true;
   for (int i = from; i < to; i++) {
     double *point = points[i];
     if (!(atom->mask[i] & groupbit) || point[FixObjects::RING_POINTS] == 0.0) continue;
-    if (!like || !starts_alike(like, point)) now = natural(point, t);
+    if (!like || (atom->molecule[i] != molecule && !starts_alike(like, point))) now = natural(point, t);
     like = point;
+    molecule = atom->molecule[i];
     all_settled = all_settled && now.settled;
     if (!all && now.lambda == point[FixObjects::LAMBDA]) continue;
     point[FixObjects::LAMBDA] = now.lambda;
@@ -212,7 +221,11 @@ double FixSwell::speed(double pressure) const
   return std::pow(std::clamp(1.0 - pressure / script_.swelling_pressure, 0.0, 1.0), script_.load_exponent);
 }
 
-void FixSwell::end_of_step() { measure_speeds(); }
+void FixSwell::end_of_step()
+{
+  if (script_.slowed_by_load()) measure_speeds();
+  look_at_pace();
+}
 
 void FixSwell::measure_speeds()
 {
@@ -224,16 +237,28 @@ void FixSwell::measure_speeds()
 }
 
 /* ----------------------------------------------------------------------
-   atoms have not been renumbered since the speeds were measured
+   All points of an object have the same value of what it feeds on
+------------------------------------------------------------------------- */
+
+double FixSwell::speed_by_food(int own) const { return std::clamp(food_->concentration(own) / script_.full, 0.0, 1.0); }
+
+/* ----------------------------------------------------------------------
+   Atoms have not been renumbered since the speeds were measured. LIGGGHTS
+   has counted the step already. What a clock that stands still loses is the
+   difference of two times, exactly, so that its own time stays as it was.
 ------------------------------------------------------------------------- */
 
 void FixSwell::pre_initial_integrate()
 {
+  const double step = time() - clock_.time(update->ntimestep - 1);
   for (const ObjectPoints &object : objects_->objects()) {
-    const double lost = (1.0 - speeds_[object.hub]) * update->dt;
-    if (lost == 0.0) continue;
+    if (!(atom->mask[object.hub] & groupbit)) continue;
+    const double under_load = script_.slowed_by_load() ? speeds_[object.hub] : 1.0;
     for_each_point(object, [&](int i) {
-      if (const int own = objects_->own_index(i); own >= 0) objects_->points()[own][FixObjects::START_TIME] += lost;
+      const int own = objects_->own_index(i);
+      if (own < 0) return;
+      const double speed = food_ ? under_load * speed_by_food(own) : under_load;
+      if (speed < 1.0) objects_->points()[own][FixObjects::START_TIME] += (1.0 - speed) * step;
     });
   }
 }
@@ -252,7 +277,7 @@ void FixSwell::tell_ghosts_their_starts()
    the clock goes on over changes of the step and over restarts
 ------------------------------------------------------------------------- */
 
-void FixSwell::reset_dt() { clock_.change_step_length(update->ntimestep, update->dt); }
+void FixSwell::reset_dt() { clock_.change_step_length(update->ntimestep, script_.clock * update->dt); }
 
 void FixSwell::reset_timestep(bigint new_step, bigint old_step) { clock_.renumber(new_step, old_step); }
 

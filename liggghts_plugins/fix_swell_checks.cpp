@@ -8,6 +8,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_fluid_scalar.h"
 #include "fix_objects.h"
 #include "fix_swell.h"
 #include "modify.h"
@@ -42,6 +43,15 @@ void FixSwell::require_one_law_per_object()
       error->fix_error(FLERR, this, (std::string("an object must swell by one law, but fix ") + other->id +
                                      " acts on the same objects: use groups that share none").c_str());
   }
+}
+
+void FixSwell::find_food()
+{
+  const int place = modify->find_fix(script_.food.c_str());
+  food_ = place < 0 ? nullptr : dynamic_cast<FixFluidScalar *>(modify->fix[place]);
+  if (!food_)
+    error->fix_error(FLERR, this, ("'fed_by' must name a fix fluid/scalar, but '" + script_.food + "' " + (place < 0 ? "is no fix" : "is a fix of another style") +
+                                   ": add one, or change the name").c_str());
 }
 
 void FixSwell::forget_starts()

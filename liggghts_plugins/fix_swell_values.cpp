@@ -43,13 +43,17 @@ const double *FixSwell::values()
   MPI_Allreduce(MPI_IN_PLACE, sums, N_SUMS, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, extremes, N_EXTREMES, MPI_DOUBLE, MPI_MAX, world);
   const double n = std::max(sums[COUNT], 1.0), area_ratio = sums[COUNT] > 0.0 ? -extremes[MINUS_AREA_RATIO] : 0.0;
-  const double all[N_VALUES] = {sums[NATURAL] / n, sums[HUB_DISTANCE] / n, sums[OF_AREA] / n,    sums[ASPECT_RATIO] / n, area_ratio,
+  const double all[N_SIZES] = {sums[NATURAL] / n, sums[HUB_DISTANCE] / n, sums[OF_AREA] / n,    sums[ASPECT_RATIO] / n, area_ratio,
                                 sums[AREA],        extremes[LAMBDA_MAX],   time(),               sums[ELAPSED] / n};
-  std::copy(all, all + N_VALUES, values_);
+  std::copy(all, all + N_SIZES, values_);
   values_step_ = update->ntimestep;
   return values_;
 }
 
 double FixSwell::compute_scalar() { return values()[0]; }
 
-double FixSwell::compute_vector(int n) { return values()[n]; }
+double FixSwell::compute_vector(int n)
+{
+  if (n < N_SIZES) return values()[n];
+  return n == N_SIZES ? pace_now().against_flow() : pace_now().against_contacts();
+}

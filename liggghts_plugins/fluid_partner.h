@@ -98,6 +98,47 @@ struct FieldInfo {
   int components;  ///< 1 or 3
 };
 
+/// What a scalar does at a side of the box.
+enum class ScalarSideKind {
+  open,   ///< nothing diffuses through it, what flows in has the value of the cell that it comes to; a periodic side: the scalar is periodic
+  feed,   ///< the same, but what flows in has the value given; a periodic direction with such a side is cut: what leaves is gone
+  value   ///< the value given holds there
+};
+
+/// A quantity that the fluid carries, as a script describes it.
+struct ScalarOptions {
+  std::string name;                               ///< of its field
+  double diffusivity = 0.0;                       ///< length^2/time
+  std::array<ScalarSideKind, 6> sides{};          ///< by side
+  std::function<double(const Triple &)> initial;  ///< by place: that of the cell's centre
+};
+
+/// Of the whole box; amounts are values times area (2-D), those of the last four summed up since the scalar was made.
+struct ScalarReport {
+  double total = 0.0, mean = 0.0, smallest = 0.0, largest = 0.0;
+  double entered = 0.0, left = 0.0;  ///< through the sides
+  double withdrawn = 0.0;            ///< by objects
+  double appeared = 0.0;             ///< with fluid that appears inside objects that inflate
+  double balance_error = 0.0;        ///< what the total differs from what it was and these make of it, over the sum of their magnitudes
+  int sub_steps = 0;                 ///< of the last step
+};
+
+/// What the markers on the outline met, summed over those of a point: value times spacing, and spacing [length].
+struct ScalarMet {
+  double amount = 0.0, spacing = 0.0;
+};
+
+class ScalarPartner {
+public:
+  virtual ~ScalarPartner() = default;
+  /// Takes the scalar through the fluid step that has just been finished. side_values: by side, at its end. withdrawal [length], by own point (null, on all ranks alike: none): the
+  /// markers of the point take out, by their spacing, this times the value that they then meet. met: by own point. Collective.
+  virtual void step(const std::array<double, 6> &side_values, const std::vector<double> *withdrawal, std::vector<ScalarMet> &met) = 0;
+  /// The values of the cells at these places. Collective.
+  virtual std::vector<double> values_at(const std::vector<Triple> &places) = 0;
+  virtual ScalarReport report() = 0;  ///< collective
+};
+
 class FluidPartner {
 public:
   virtual ~FluidPartner() = default;
@@ -110,6 +151,10 @@ public:
   /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Collective.
   virtual void finish_step(const std::vector<ObjectPoints> &objects) = 0;
   virtual FluidReport report() = 0;  ///< of the last whole fluid step; collective
+  /// Another field that the fluid carries, which it keeps. Collective.
+  virtual void add_scalar(const ScalarOptions &) = 0;
+  virtual void remove_scalar(const std::string &name) = 0;
+  virtual ScalarPartner *scalar(const std::string &name) = 0;  ///< null when there is none
   virtual FieldBlock field_block() const = 0;
   virtual std::vector<FieldInfo> fields() const = 0;
   virtual void copy_field(const std::string &name, std::vector<double> &values) const = 0;  ///< components interleaved

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "random_objects.h"
 #include "shape_options.h"
 
 namespace swellflow {
@@ -65,19 +66,48 @@ std::optional<int> checked_integer(const CsvTable &table, const CsvTable::Row &r
   return static_cast<int>(*value);
 }
 
-Objects read_table(Arguments &line, const TextReader &read_text)
+/// The last of the measurements in a file of fix output/objects, as a table.
+CsvTable last_measurement(const CsvTable &measured, const PlaneBox &box)
 {
-  const std::string file = line.word("file");
-  const CsvTable table(file, read_text(file), {"x", "y", "diameter", "points", "density", "cds", "reach", "angle", "type"});
+  constexpr double degree = std::numbers::pi / 180.0;
+  std::vector<CsvTable::Row> rows;
+  for (const CsvTable::Row &row : measured.rows()) {
+    if (*measured.value(row, "step") != *measured.value(measured.rows().back(), "step")) continue;
+    const Vector2 x = box.wrapped({*measured.value(row, "centroid_x"), *measured.value(row, "centroid_y")});
+    rows.push_back({row.line, {x.x(), x.y(), *measured.value(row, "diameter_of_area"), *measured.value(row, "rotation") / degree}});
+  }
+  return CsvTable(measured.file(), {"x", "y", "diameter", "angle"}, rows);
+}
+
+CsvTable table_of(const std::string &file, const ObjectScene &scene)
+{
+  const std::string text = scene.text_of_file(file);
+  if (text.rfind("step,time", 0) == 0) {
+    const CsvTable measured(file, text, {});
+    bool whole = true;
+    for (const char *column : {"centroid_x", "centroid_y", "diameter_of_area", "rotation"}) whole = whole && measured.has(column);
+    if (whole) return last_measurement(measured, scene.box());
+  }
+  const CsvTable table(file, text, {"x", "y", "diameter", "points", "density", "cds", "reach", "angle", "type"});
   for (const char *column : {"x", "y"})
     if (!table.has(column)) throw OptionError(file + " line 1: column '" + column + "' must be there, but is not: add it");
+  return table;
+}
+
+ObjectList read_table(Arguments &line, const ObjectScene &scene)
+{
+  const std::string file = line.word("file");
+  const CsvTable table = table_of(file, scene);
   const auto &names = ShapeOptions::names;
   const bool named = !line.empty() && std::find(names.begin(), names.end(), line.peek()) != names.end();
   const auto kind = named ? static_cast<ShapeOptions::Kind>(line.choice("shape", names)) : ShapeOptions::DISK;
-  ShapeOptions shape(kind, line, read_text);
-  shape.read(line, &table);
+  ShapeOptions shape(kind, line, scene.text_of_file);
+  ObjectList list;
+  shape.read(line, &table, [&](Options &options) {
+    options.number("overlap", list.overlap, Range::not_negative(), "length", "by which outlines may overlap, as pressed ones do");
+  });
 
-  Objects all;
+  Objects &all = list.objects;
   for (const CsvTable::Row &row : table.rows()) {
     const ShapeOptions::Row own{.diameter = checked(table, row, "diameter", Range::positive()),
                                 .density = checked(table, row, "density", Range::positive()),
@@ -90,7 +120,7 @@ Objects read_table(Arguments &line, const TextReader &read_text)
     all.back().centre = {*checked(table, row, "x", Range::any()), *checked(table, row, "y", Range::any())};
     all.back().diameter *= shape.size_factor(all.size() - 1);
   }
-  return all;
+  return list;
 }
 
 }  // namespace
@@ -115,14 +145,15 @@ Footprint NewObject::footprint() const
   return footprint;
 }
 
-std::vector<NewObject> read_object_list(int narg, char **arg, const std::function<std::string(const std::string &)> &read_text)
+ObjectList read_object_list(int narg, char **arg, const ObjectScene &scene)
 {
-  const std::vector<std::string> forms = {"disk", "ellipse", "outline", "lattice", "file"};
+  const std::vector<std::string> forms = {"disk", "ellipse", "outline", "lattice", "random", "file"};
   const int form = Arguments("create_objects", std::min(narg, 1), arg).choice("form", forms);
   Arguments line("create_objects " + forms[form], narg - 1, arg + 1);
-  if (forms[form] == "lattice") return read_lattice(line, read_text);
-  if (forms[form] == "file") return read_table(line, read_text);
-  return read_one(static_cast<ShapeOptions::Kind>(form), line, read_text);
+  if (forms[form] == "lattice") return {.objects = read_lattice(line, scene.text_of_file)};
+  if (forms[form] == "random") return read_random_objects(line, scene);
+  if (forms[form] == "file") return read_table(line, scene);
+  return {.objects = read_one(static_cast<ShapeOptions::Kind>(form), line, scene.text_of_file)};
 }
 
 }  // namespace swellflow

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "objects/overlap.h"
+#include "objects/packing_room.h"
 #include "objects/shape.h"
 
 namespace swellflow {
@@ -24,7 +25,29 @@ struct NewObject {
   Footprint footprint() const;
 };
 
-/// Reads `disk ...`, `ellipse ...`, `outline ...`, `lattice ...` or `file ...`. Throws std::invalid_argument. `read_text` gives the contents of a named file.
-std::vector<NewObject> read_object_list(int narg, char **arg, const std::function<std::string(const std::string &)> &read_text);
+using TextReader = std::function<std::string(const std::string &)>;
+
+/// An object that is there already.
+struct ExistingObject {
+  Footprint footprint;
+  double reach;  ///< of its contact detection spheres beyond the outline
+};
+
+/// What a list may have to know of the scene; only the form `random` asks for the box, regions and objects.
+struct ObjectScene {
+  TextReader text_of_file;
+  std::function<PlaneBox()> box;
+  std::function<std::shared_ptr<const PackingRoom>(const std::string &)> region;  ///< nullptr: there is none of this name
+  std::function<std::vector<ExistingObject>()> existing;
+};
+
+struct ObjectList {
+  std::vector<NewObject> objects = {};
+  std::string remark = "";  ///< what else the user is told of them
+  double overlap = 0.0;     ///< by which outlines may
+};
+
+/// Reads `disk ...`, `ellipse ...`, `outline ...`, `lattice ...`, `random ...` or `file ...`. Throws std::invalid_argument.
+ObjectList read_object_list(int narg, char **arg, const ObjectScene &scene);
 
 }  // namespace swellflow

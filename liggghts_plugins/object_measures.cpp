@@ -5,6 +5,7 @@
 #include "atom.h"
 #include "contact_forces.h"
 #include "contact_partners.h"
+#include "fix_fluid_scalar.h"
 #include "fix_mass_spring.h"
 #include "fix_objects.h"
 #include "modify.h"
@@ -29,8 +30,11 @@ class Moment {
     for (int i = 0; i < atom_.nlocal; i++)
       for (int d = 0; d < 2; d++) velocity_[2 * i + d] = atom_.v[i][d];
     objects.send_to_ghosts(velocity_.data(), 2);
-    for (int k = 0; k < lmp->modify->nfix; k++)
-      if (const auto *one = dynamic_cast<FixMassSpring *>(lmp->modify->fix[k])) springs_.push_back(one);
+    for (int k = 0; k < lmp->modify->nfix; k++) {
+      const Fix *fix = lmp->modify->fix[k];
+      if (const auto *one = dynamic_cast<const FixMassSpring *>(fix)) springs_.push_back(one);
+      if (!scalar_) scalar_ = dynamic_cast<const FixFluidScalar *>(fix);
+    }
   }
 
   ObjectMeasures measure(const ObjectPoints &object) const
@@ -42,6 +46,10 @@ class Moment {
     for (const FixMassSpring *springs : springs_)
       if (springs->acts_on(object)) measures.spring_energy += springs->energy_of(object);
     measure_contacts(object, measures);
+    if (const int hub = objects_.own_index(object.hub); scalar_ && hub >= 0) {
+      measures.concentration = scalar_->concentration(hub);
+      measures.uptake = scalar_->uptake(hub);
+    }
     return measures;
   }
 
@@ -96,6 +104,7 @@ class Moment {
   ContactPartners partners_;
   std::vector<double> velocity_;  // two values an atom, own and ghosts
   std::vector<const FixMassSpring *> springs_;
+  const FixFluidScalar *scalar_ = nullptr;
 };
 
 }  // namespace

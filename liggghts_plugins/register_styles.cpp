@@ -10,6 +10,7 @@
 #include "create_objects.h"
 #include "fix.h"
 #include "fix_fluid_ib.h"
+#include "fix_fluid_scalar.h"
 #include "fix_lubrication_cds.h"
 #include "fix_mass_spring.h"
 #include "fix_nve_cds_implicit.h"
@@ -70,6 +71,7 @@ const FixMap &fix_styles()
     {"held", create_fix<FixPrescribed>},
     {"prescribed", create_fix<FixPrescribed>},
     {"fluid/ib", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixFluidIb(lmp, narg, arg, factories_of(lmp).fluid); }},
+    {"fluid/scalar", create_fix<FixFluidScalar>},
     {"output/objects", create_fix<FixOutputObjects>},
     {"output/vtk", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixOutputVtk(lmp, narg, arg, factories_of(lmp).output); }},
   };

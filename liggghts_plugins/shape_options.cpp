@@ -19,7 +19,7 @@ ShapeOptions::ShapeOptions(Kind kind, Arguments &line, const TextReader &read_te
   request_.contour = std::make_shared<Contour>(Contour::polygon(read_outline(file, read_text(file))));
 }
 
-void ShapeOptions::read(Arguments &line, const CsvTable *table)
+void ShapeOptions::read(Arguments &line, const CsvTable *table, const std::function<void(Options &)> &declare_more)
 {
   const auto in_table = [table](const char *column) { return table && table->has(column); };
   int spacing = 0, share = 0;
@@ -44,6 +44,7 @@ void ShapeOptions::read(Arguments &line, const CsvTable *table)
   options.integer("type", type_, Range::at_least(1), "atom type of all points");
   options.choice("mass", share, {"hub_half", "equal"}, "how the mass is shared among hub and ring");
   options.custom("sizes", [this](Arguments &rest) { read_sizes(rest); }, "normal, lognormal or uniform SPREAD seed S: random factors of the diameters");
+  if (declare_more) declare_more(options);
   options.parse(line);
   if (options.given("reach")) request_.reach = reach;
   if (kind_ == ELLIPSE) request_.contour = std::make_shared<Contour>(Contour::ellipse(axes_[0], axes_[1]));

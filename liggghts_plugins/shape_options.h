@@ -15,8 +15,6 @@
 
 namespace swellflow {
 
-using TextReader = std::function<std::string(const std::string &)>;
-
 class ShapeOptions {
 public:
   enum Kind { DISK, ELLIPSE, OUTLINE };
@@ -25,8 +23,8 @@ public:
   /// An outline's word is followed by its file, which is read.
   ShapeOptions(Kind kind, Arguments &line, const TextReader &read_text);
 
-  /// The keywords. Those that a table may give for each object are optional when it has their column.
-  void read(Arguments &line, const CsvTable *table = nullptr);
+  /// The keywords, and those that a form declares on top. Those that a table may give for each object are optional when it has their column.
+  void read(Arguments &line, const CsvTable *table = nullptr, const std::function<void(Options &)> &declare_more = {});
 
   /// An object as the keywords say; what a row of a table says instead is told by `row`.
   struct Row {

@@ -30,7 +30,7 @@ struct LawValues {
   int kind = 0;
   int form = 0;                                             // hydrogel
   double millimetre = 0.0, second = 0.0;
-  double final_diameter = 0.0, tau = 0.0, diffusivity = 0.0;  // tanaka_fillmore
+  double final = 0.0, tau = 0.0, diffusivity = 0.0;         // tanaka_fillmore
 };
 
 MakeLaw linear(Arguments &line, Options &options, LawValues &v)
@@ -105,15 +105,17 @@ MakeLaw table(LAMMPS *lmp, Arguments &line)
 
 MakeLaw tanaka_fillmore(Arguments &line, Options &options, LawValues &v)
 {
-  options.number("final", v.final_diameter, Range::positive(), "length", "natural diameter at the end").required();
+  options.number("final", v.final, Range::positive(), "length, or none", "natural diameter at the end, or its ratio to that at the start").required();
+  options.choice("gives", v.kind, {"diameter", "ratio"}, "what 'final' is: the diameter, or its ratio to that at the start");
   options.number("tau", v.tau, Range::positive(), "time", "time constant of the slowest part");
   options.number("diffusivity", v.diffusivity, Range::positive(), "area per time", "cooperative diffusion coefficient of the gel");
   return [&line, &options, &v] {
     if (options.given("tau") == options.given("diffusivity"))
       line.fail(std::string("the speed must be given once, but 'tau' and 'diffusivity' are ") + (options.given("tau") ? "both given: keep one of them"
                                                                                                                        : "both missing: add one of them"));
-    const double tau = options.given("tau") ? v.tau : TanakaFillmoreSwelling::tau_of(v.final_diameter, v.diffusivity);
-    return std::make_unique<TanakaFillmoreSwelling>(v.final_diameter, tau);
+    const auto kind = static_cast<SizeKind>(v.kind);
+    return std::make_unique<TanakaFillmoreSwelling>(options.given("tau") ? TanakaFillmoreSwelling::with_tau(kind, v.final, v.tau)
+                                                                        : TanakaFillmoreSwelling::with_diffusivity(kind, v.final, v.diffusivity));
   };
 }
 
@@ -138,8 +140,11 @@ void declare(Options &options, SwellScript &script, int &mass)
       },
       "relative standard deviations of speed and growth between objects");
   options.integer("seed", script.seed, Range::not_negative(), "of the scatter");
+  options.number("clock", script.clock, Range::positive(), "", "how many times as fast as the simulation's the law's time runs");
   options.number("load", script.swelling_pressure, Range::positive(), "pressure", "contact pressure at which swelling stops");
   options.number("exponent", script.load_exponent, Range::positive(), "", "of the slowing by load");
+  options.text("fed_by", script.food, "fix fluid/scalar whose value at the outline an object needs to swell");
+  options.number("full", script.full, Range::positive(), "", "value from which on it swells as the law says");
 }
 
 void require_partner(const Arguments &line, const Options &options, const std::string &keyword, const std::string &partner)
@@ -153,12 +158,15 @@ void check(const Arguments &line, const Options &options, const SwellScript &scr
   require_partner(line, options, "scatter", "seed");
   require_partner(line, options, "seed", "scatter");
   require_partner(line, options, "exponent", "load");
+  require_partner(line, options, "full", "fed_by");
   if (script.drinks && !options.given("water_density")) line.fail("'mass drink' needs 'water_density', which is missing: add it");
   if (!script.drinks && options.given("water_density")) line.fail("'water_density' belongs to 'mass drink': add that, or remove 'water_density'");
   if (script.law) return;
   const std::string rule = ", but variable '" + script.size.variable() + "' gives one size for all at a time: remove ";
   if (script.rate_scatter > 0.0) line.fail("scatter of the rate needs a clock for each object" + rule + "it: 'scatter 0 SIZE'");
+  if (options.given("clock")) line.fail("'clock' needs a law with a time of its own" + rule + "'clock', and let the formula run faster");
   if (script.slowed_by_load()) line.fail("'load' needs a clock for each object" + rule + "'load'");
+  if (script.needs_food()) line.fail("'fed_by' needs a clock for each object" + rule + "'fed_by'");
 }
 
 }  // namespace

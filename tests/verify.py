@@ -17,7 +17,8 @@ sys.path.insert(0, str(ROOT / "cases"))
 import caselib  # noqa: E402
 
 FOLDER = ROOT / "results" / "verify"
-SOURCES = ("CMakeLists.txt", "cmake", "fluid", "liggghts_plugins", "coupling", "cases", "tests/verify.py", "tests/ranks_agree.py")
+SOURCES = ("CMakeLists.txt", "cmake", "fluid", "liggghts_plugins", "coupling", "cases", "packaging", "bootstrap", "tests/verify.py", "tests/decomposition.py",
+           "tests/debian_package.sh", "tests/bare_debian.sh")
 
 
 def case(name, folder, *arguments):
@@ -41,8 +42,13 @@ def cavity_soft():
     return case("cavity_swelling", "cavity_soft", "--np", "2", "-var", "ks", "100", "--check")
 
 
-def cavity_ranks():
-    return subprocess.run([sys.executable, str(ROOT / "tests" / "ranks_agree.py"), str(FOLDER / "cavity_ranks")]).returncode
+def swelling_clock():
+    return all_of("swelling_clock", [("swelling_clock", f"bed_{clock}", {"clock": clock}) for clock in (3, 10, 30)] +
+                                    [("swelling_clock", f"shear_{clock}", {"scene": "shear", "clock": clock, "rate": 2e-3, "T": 125}) for clock in (100, 300, 1000)])
+
+
+def decomposition():
+    return subprocess.run([sys.executable, str(ROOT / "tests" / "decomposition.py"), str(FOLDER / "decomposition")]).returncode
 
 
 def all_of(folder, runs, ranks=2):
@@ -69,6 +75,11 @@ def flow_arrays():
 def flow_stokes_channel():
     return all_of("stokes_channel", [("stokes_channel", f"{setting}_{k}", {"setting": setting, "k": k})
                                      for setting, k in (("inflow", 0.1), ("inflow", 0.25), ("inflow", 0.5), ("periodic", 0.25), ("moving", 0.25))])
+
+
+def taylor_dispersion():
+    return all_of("taylor_dispersion", [("taylor_dispersion", f"pe{pe}_{cells}_{along}", {"pe": pe, "cells": cells, "along": along})
+                                        for pe, cells, along in ((20, 16, "x"), (20, 32, "x"), (50, 32, "y"), (100, 16, "x"))])
 
 
 def close_contact():
@@ -131,6 +142,14 @@ def capsule():
                   + [("capsule", "ca0.05_ratio10", {"ratio": 10, "across": 8}), ("capsule", "ca0.05_re0.0025", {"reynolds": 0.0025, "across": 8})])
 
 
+def package():
+    """Needs root, for the bare Debian 12 that it is installed in."""
+    if code := subprocess.run([str(ROOT / "bootstrap"), "package"], stdin=subprocess.DEVNULL).returncode:
+        return code
+    [made] = (ROOT / "build-package").glob("*.deb")
+    return subprocess.run([str(ROOT / "tests" / "debian_package.sh"), str(FOLDER / "bare_debian"), str(made)], stdin=subprocess.DEVNULL).returncode
+
+
 PARTS = {
     "cavity_stiff": (cavity_stiff, "the paper's cavity with k_s = 1000, to t = 110"),
     "cavity_soft": (cavity_soft, "the paper's cavity with k_s = 100, to t = 110"),
@@ -143,6 +162,7 @@ PARTS = {
     "flow_cavity": (flow_cavity, "lid-driven cavity, Re 10 to 1000, against published extrema"),
     "flow_channel": (flow_channel, "Poiseuille and Couette, driven in every way, along x and along y"),
     "flow_arrays": (flow_arrays, "creeping flow through square arrays of discs, with refinement and time steps"),
+    "taylor_dispersion": (taylor_dispersion, "dye in a channel spreads at the exact rate"),
     "flow_stokes_channel": (flow_stokes_channel, "creeping flow around a cylinder between walls"),
     "shear_rotation": (shear_rotation, "free discs in creeping shear turn at the exact rate"),
     "couette_migration": (couette_migration, "a free disc in Couette flow follows the published path, 16 and 32 cells across it"),
@@ -150,7 +170,9 @@ PARTS = {
     "flow_schaefer_turek": (flow_schaefer_turek, "benchmark 2D-1, 100 cells across the cylinder"),
     "flow_cylinder_steady": (flow_cylinder_steady, "cylinder in a stream, Re 20 and 40"),
     "flow_cylinder_shedding": (flow_cylinder_shedding, "cylinder in a stream, Re 100, 32 cells across it"),
-    "cavity_ranks": (cavity_ranks, "200 fluid steps of the cavity agree on 1, 2 and 4 ranks"),
+    "swelling_clock": (swelling_clock, "a faster clock of swelling leaves results as they are within what its measures promise"),
+    "decomposition": (decomposition, "objects that cross, touch and rub end alike on every grid of 1 to 4 ranks, by each integrator"),
+    "package": (package, "the .deb is installed by apt in a bare Debian 12, runs cases there, and is removed"),
 }
 
 

@@ -52,8 +52,9 @@ void CsvTable::read_header(int line, const std::vector<std::string> &cells, cons
 {
   std::string known;
   for (const std::string &column : known_columns) known += (known.empty() ? "" : ", ") + column;
-  for (const std::string &cell : cells) {
-    if (std::find(known_columns.begin(), known_columns.end(), cell) == known_columns.end())
+  for (const std::string &title : cells) {
+    const std::string cell = trimmed(title.substr(0, title.find('[')));
+    if (!known_columns.empty() && std::find(known_columns.begin(), known_columns.end(), cell) == known_columns.end())
       fail(file_, line, "the first line must name the columns, but has '" + cell + "': known are " + known);
     if (has(cell)) fail(file_, line, "column '" + cell + "' is there twice: keep one of them");
     columns_.push_back(cell);

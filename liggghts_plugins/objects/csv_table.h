@@ -14,9 +14,13 @@ public:
     std::vector<double> values;
   };
 
-  /// Blank lines and lines that start with # are skipped. Throws std::invalid_argument that names file and line.
+  /// Blank lines and lines that start with # are skipped, and units in brackets behind names. No known columns: any. Throws std::invalid_argument that names file and line.
   CsvTable(const std::string &file, const std::string &text, const std::vector<std::string> &known_columns);
 
+  /// Of rows that were read from a file in another form.
+  CsvTable(const std::string &file, const std::vector<std::string> &columns, const std::vector<Row> &rows) : file_(file), columns_(columns), rows_(rows) {}
+
+  const std::string &file() const { return file_; }
   const std::vector<Row> &rows() const { return rows_; }
   bool has(const std::string &column) const { return position(column).has_value(); }
   std::optional<double> value(const Row &row, const std::string &column) const;

@@ -30,6 +30,7 @@ struct ObjectMeasures {
   Plane net_contact_force{};
   double contact_pressure = 0.0;   ///< > 0 when squeezed
   int coordination = 0;            ///< other objects, and other atoms, that it touches
+  double concentration = 0.0, uptake = 0.0;  ///< of the first scalar of the scene, at its outline; taken up so far
 };
 
 /// Visits all that is a value, in the order in which files list it: visit(name, unit, pointer to member).
@@ -54,6 +55,8 @@ void for_each_measure(const UnitNames &units, const Visit &visit)
   visit("net_contact_force", units.force, &M::net_contact_force);
   visit("contact_pressure", units.pressure, &M::contact_pressure);
   visit("coordination", "1", &M::coordination);
+  visit("concentration", "1", &M::concentration);
+  visit("uptake", units.area, &M::uptake);
 }
 
 /// Sums over objects and largest values, which can be added up over parts of them.

@@ -1,6 +1,7 @@
 // What the outline of an object says of its size and shape; free of LIGGGHTS.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -22,22 +23,40 @@ struct OutlineShape {
   Vector2 centroid = Vector2::Zero();
 };
 
-/// Shape of the closed polygon through `ring`, counter-clockwise, positions relative to any nearby point.
+struct PolygonArea {
+  double area = 0.0;  ///< signed
+  Vector2 centroid = Vector2::Zero();
+};
+
+/// Of the closed polygon through `ring`, counter-clockwise, positions relative to any nearby point.
+inline PolygonArea polygon_area(const std::vector<Vector2> &ring)
+{
+  PolygonArea polygon;
+  if (ring.empty()) return polygon;
+  Vector2 p = ring.back();
+  for (const Vector2 &q : ring) {
+    const double twice = cross(p, q);
+    polygon.area += twice / 2.0;
+    polygon.centroid += twice / 6.0 * (p + q);
+    p = q;
+  }
+  polygon.centroid = polygon.area != 0.0 ? Vector2(polygon.centroid / polygon.area) : Vector2(Vector2::Zero());
+  return polygon;
+}
+
+/// Shape of the same polygon.
 inline OutlineShape outline_shape(const std::vector<Vector2> &ring)
 {
-  double A = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
-  Vector2 centroid = Vector2::Zero();
+  const auto [A, centroid] = polygon_area(ring);
+  double xx = 0.0, yy = 0.0, xy = 0.0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Vector2 &p = ring[k], &q = ring[k + 1 < ring.size() ? k + 1 : 0];
-    const double cross = p.x() * q.y() - q.x() * p.y();
-    A += cross / 2.0;
-    centroid += cross / 6.0 * (p + q);
-    xx += cross / 12.0 * (p.x() * p.x() + p.x() * q.x() + q.x() * q.x());
-    yy += cross / 12.0 * (p.y() * p.y() + p.y() * q.y() + q.y() * q.y());
-    xy += cross / 24.0 * (2.0 * p.x() * p.y() + p.x() * q.y() + q.x() * p.y() + 2.0 * q.x() * q.y());
+    const double twice = cross(p, q);
+    xx += twice / 12.0 * (p.x() * p.x() + p.x() * q.x() + q.x() * q.x());
+    yy += twice / 12.0 * (p.y() * p.y() + p.y() * q.y() + q.y() * q.y());
+    xy += twice / 24.0 * (2.0 * p.x() * p.y() + p.x() * q.y() + q.x() * p.y() + 2.0 * q.x() * q.y());
   }
   if (A == 0.0) return {};
-  centroid /= A;
   xx = xx / A - centroid.x() * centroid.x();
   yy = yy / A - centroid.y() * centroid.y();
   xy = xy / A - centroid.x() * centroid.y();
@@ -55,6 +74,16 @@ inline double regular_polygon_area(int points, double diameter)
 inline double diameter_of_area(double area, double natural_area, double natural_diameter)
 {
   return natural_diameter * std::sqrt(std::max(area, 0.0) / natural_area);
+}
+
+/// The area V of what fluid an object has taken in follows the area A of its outline as long as that goes towards the natural area A0:
+///
+///     V -> A, but between V and A0
+///
+/// An object that is pressed smaller, or pulled larger than it is meant to be, keeps what it has. V is what `inside` was before.
+inline double followed_area(double inside, double area, double natural_area)
+{
+  return std::clamp(area, std::min(inside, natural_area), std::max(inside, natural_area));
 }
 
 }  // namespace swellflow

@@ -86,6 +86,16 @@ Vector2 PlaneBox::difference(const Vector2 &a, const Vector2 &b) const
   return d;
 }
 
+Vector2 PlaneBox::wrapped(Vector2 x) const
+{
+  for (int d = 0; d < 2; ++d) {
+    if (!periodic[d]) continue;
+    x[d] -= length()[d] * std::floor((x[d] - low[d]) / length()[d]);
+    if (x[d] < low[d] || x[d] >= high[d]) x[d] = low[d];  // by round-off
+  }
+  return x;
+}
+
 void for_each_overlapping_pair(const std::vector<Circle> &circles, int first_new, const PlaneBox &box,
                                const std::function<void(int, int, const Vector2 &)> &visit)
 {

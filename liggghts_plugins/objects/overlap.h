@@ -28,6 +28,8 @@ struct PlaneBox {
   Vector2 length() const { return high - low; }
   /// From b to a by the shortest way.
   Vector2 difference(const Vector2 &a, const Vector2 &b) const;
+  /// The image that lies in the box where it is periodic.
+  Vector2 wrapped(Vector2 x) const;
 };
 
 struct Overlap {

@@ -17,7 +17,7 @@ inline std::uint64_t mixed(std::uint64_t z)
 }
 
 /// What a number is for: two for different purposes have nothing to do with each other, whatever the seeds are.
-enum class Purpose : std::uint64_t { swelling_rate, swelling_size, object_size };
+enum class Purpose : std::uint64_t { swelling_rate, swelling_size, object_size, object_place };
 
 /// Uniform in (0, 1); `draw` counts the numbers for one purpose.
 inline double uniform_number(Purpose purpose, std::uint64_t seed, std::uint64_t object, std::uint64_t draw)

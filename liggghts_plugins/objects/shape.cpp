@@ -95,6 +95,13 @@ double Shape::natural_area(double diameter) const
   return outline_area * diameter * diameter;
 }
 
+double Shape::longest_side() const
+{
+  double longest = 0.0;
+  for (std::size_t k = 0; k < outline.size(); ++k) longest = std::max(longest, (outline[after(outline, k)] - outline[k]).norm());
+  return longest;
+}
+
 double Shape::mass(double diameter, double density) const { return density * 0.25 * pi * diameter * diameter; }
 
 double Shape::hub_mass(double mass) const

@@ -46,6 +46,7 @@ struct Shape {
   double mean_square_radius = 0.0;  ///< mean of r^2 over the smooth shape, about its centroid
 
   double natural_area(double diameter) const;  ///< inside the polygon of the outline
+  double longest_side() const;                 ///< of that polygon
   double mass(double diameter, double density) const;
   double hub_mass(double mass) const;
   double ring_point_mass(int k, double mass) const;

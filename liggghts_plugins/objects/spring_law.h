@@ -34,12 +34,18 @@ struct SpringLaw {
   bool zero_lengths = false;  ///< springs pull at any length; with a modulus k = E / L with the length L that they would have
   Stiffening stiffening{};
 
-  /// The spring between points of masses m_a and m_b whose natural length was `length_at_creation`.
-  Spring spring(double length_at_creation, double lambda, double mass_a, double mass_b) const
+  /// The spring between points of masses m_a and m_b whose natural length is `length`, of an object that has not swollen.
+  Spring natural(double length, double mass_a, double mass_b) const
   {
-    const double length = lambda * length_at_creation;
-    const double k = (stiffness > 0.0 ? stiffness : modulus / length) * stiffening.factor(lambda);
+    const double k = stiffness > 0.0 ? stiffness : modulus / length;
     return {.length = zero_lengths ? 0.0 : length, .stiffness = k, .dashpot = damping > 0.0 ? dashpot_constant(damping, k, mass_a, mass_b) : 0.0};
+  }
+
+  /// What makes of all natural springs of an object those at the swelling ratio lambda, when its masses are `mass_ratio` times those at creation: c goes with sqrt(m k).
+  SpringScale scale(double lambda, double mass_ratio) const
+  {
+    const double k = (stiffness > 0.0 ? 1.0 : 1.0 / lambda) * stiffening.factor(lambda);
+    return {.length = lambda, .stiffness = k, .dashpot = damping > 0.0 ? std::sqrt(k * mass_ratio) : 0.0};
   }
 };
 

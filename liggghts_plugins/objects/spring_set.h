@@ -11,6 +11,13 @@ struct Spring {
   double length = 0.0, stiffness = 0.0, dashpot = 0.0;  ///< natural length L, k, c as they are now
 };
 
+/// Factors that all springs of an object share.
+struct SpringScale {
+  double length = 1.0, stiffness = 1.0, dashpot = 1.0;
+
+  Spring operator*(const Spring &spring) const { return {length * spring.length, stiffness * spring.stiffness, dashpot * spring.dashpot}; }
+};
+
 struct SpringSet {
   std::vector<Spring> ring;    ///< ring[k]: from ring point k to k + 1, the last to 0
   std::vector<Spring> spokes;  ///< spokes[k]: from ring point k to the hub, whose number is that of ring points; empty: none

@@ -23,26 +23,18 @@ inline double dashpot_constant(double damping_ratio, double stiffness, double ma
 }
 
 /// From B to A. Two points on one spot have no direction between them, and no force.
-inline Vector2 direction(const Vector2 &X_A, const Vector2 &X_B)
-{
-  const Vector2 d = X_A - X_B;
-  const double xi = d.norm();
-  if (xi == 0.0) return Vector2::Zero();
-  return d / xi;
-}
+struct Direction {
+  double distance;
+  Vector2 n;
+
+  Direction(const Vector2 &X_A, const Vector2 &X_B) : distance((X_A - X_B).norm()), n((distance > 0.0 ? 1.0 / distance : 0.0) * (X_A - X_B)) {}
+};
 
 /// Force on A of a spring A-B of natural length L: -k (xi - L) n, the first term of eq. (3) of the paper.
-inline Vector2 spring_force(const Vector2 &X_A, const Vector2 &X_B, double L, double k)
-{
-  return -k * ((X_A - X_B).norm() - L) * direction(X_A, X_B);
-}
+inline Vector2 spring_force(const Direction &along, double L, double k) { return -k * (along.distance - L) * along.n; }
 
 /// Force on A of a dashpot along A-B: -c ((U_A - U_B).n) n. The second term of eq. (3) has the other sign, which would feed
 /// energy, and is not projected on the spring, which would brake rotation.
-inline Vector2 dashpot_force(const Vector2 &X_A, const Vector2 &X_B, const Vector2 &U_A, const Vector2 &U_B, double c)
-{
-  const Vector2 n = direction(X_A, X_B);
-  return -c * (U_A - U_B).dot(n) * n;
-}
+inline Vector2 dashpot_force(const Direction &along, const Vector2 &U_A_less_U_B, double c) { return -c * U_A_less_U_B.dot(along.n) * along.n; }
 
 }  // namespace swellflow

@@ -58,8 +58,8 @@ double TanakaFillmoreSwelling::tau_of(double final_diameter, double diffusivity)
 
 double TanakaFillmoreSwelling::diameter(double start, double elapsed) const
 {
-  const double fraction = swelling_fraction(elapsed / tau_);
-  return (1.0 - fraction) * start + fraction * final_;
+  const double fraction = swelling_fraction(elapsed / tau(start));
+  return (1.0 - fraction) * start + fraction * final_diameter(start);
 }
 
 /// Crank, The Mathematics of Diffusion, 2nd ed. (1975): the series eq. (6.20), and for small times eq. (6.22) with D t/a^2 = x/pi^2. From x = 1 on

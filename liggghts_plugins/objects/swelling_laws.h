@@ -85,17 +85,24 @@ private:
   MonotoneCurve curve_;
 };
 
-/// (R - R_start)/(R_final - R_start) = swelling_fraction(t/tau).
+/// (R - R_start)/(R_final - R_start) = swelling_fraction(t/tau). `final` is the diameter at the end, or its ratio to that at the start; tau is given, or follows for each
+/// object from the gel's cooperative diffusion coefficient, so that large beads are slow.
 class TanakaFillmoreSwelling : public SwellingLaw {
 public:
-  TanakaFillmoreSwelling(double final_diameter, double tau) : final_(final_diameter), tau_(tau) {}
+  static TanakaFillmoreSwelling with_tau(SizeKind kind, double final, double tau) { return {kind, final, tau, 0.0}; }
+  static TanakaFillmoreSwelling with_diffusivity(SizeKind kind, double final, double diffusivity) { return {kind, final, 0.0, diffusivity}; }
   /// tau = R_final^2 / (pi^2 D_c) with the gel's cooperative diffusion coefficient D_c.
   static double tau_of(double final_diameter, double diffusivity);
   double diameter(double start, double elapsed) const override;
-  bool settled(double, double elapsed) const override { return elapsed >= 40.0 * tau_; }  // exp(-40) is below round-off
+  bool settled(double start, double elapsed) const override { return elapsed >= 40.0 * tau(start); }  // exp(-40) is below round-off
 
 private:
-  double final_, tau_;
+  TanakaFillmoreSwelling(SizeKind kind, double final, double tau, double diffusivity) : kind_(kind), final_(final), tau_(tau), diffusivity_(diffusivity) {}
+  double final_diameter(double start) const { return diameter_of(kind_, start, final_); }
+  double tau(double start) const { return diffusivity_ > 0.0 ? tau_of(final_diameter(start), diffusivity_) : tau_; }
+
+  SizeKind kind_;
+  double final_, tau_, diffusivity_;
 };
 
 /// 1 - (6/pi^2) sum n^-2 exp(-n^2 x): Tanaka and Fillmore, J. Chem. Phys. 70, 1214 (1979), a sphere whose osmotic modulus

@@ -20,7 +20,7 @@ template <typename Visit>
 void for_each_block(const std::vector<Vector2> &x, const SpringSet &springs, double dashpots_per_time, const Visit &visit)
 {
   for_each_spring(springs, [&](int a, int b, const Spring &spring) {
-    const Vector2 d = x[a] - x[b], along = direction(x[a], x[b]);
+    const Vector2 d = x[a] - x[b], along = Direction(x[a], x[b]).n;
     const double axial = spring.stiffness + dashpots_per_time * spring.dashpot, sideways = sideways_stiffness(d, spring);
     visit(a, b, Matrix2(sideways * Matrix2::Identity() + (axial - sideways) * along * along.transpose()));
   });

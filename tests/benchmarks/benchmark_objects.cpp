@@ -36,7 +36,7 @@ void springs(benchmark::State &state)
   for (auto _ : state) {
     for (const auto &body : all) {
       Vector2 sum = Vector2::Zero();
-      for_each_spring(set, [&](int a, int b, const Spring &spring) { sum += spring_force(body.x[a], body.x[b], spring.length, spring.stiffness); });
+      for_each_spring(set, [&](int a, int b, const Spring &spring) { sum += spring_force({body.x[a], body.x[b]}, spring.length, spring.stiffness); });
       benchmark::DoNotOptimize(sum);
     }
   }

@@ -54,6 +54,9 @@ public:
     report.force_of_growth = {17.0, 18.0, 0.0};
     return report;
   }
+  void add_scalar(const swellflow::ScalarOptions &) override {}
+  void remove_scalar(const std::string &) override {}
+  swellflow::ScalarPartner *scalar(const std::string &) override { return nullptr; }
   swellflow::FieldBlock field_block() const override { return {}; }
   std::vector<swellflow::FieldInfo> fields() const override { return {}; }
   void copy_field(const std::string &, std::vector<double> &) const override {}

@@ -89,6 +89,20 @@ class WhenLinesAreWritten(ObjectsTest):
                     np.testing.assert_allclose(values, before.at(step)[name], rtol=1e-7, atol=1e-7, err_msg=f"{name} at {step}")
 
 
+class MadeAnew(ObjectsTest):
+    def test_objects_of_a_file_lie_where_they_were_measured(self):
+        first = self.succeed(bed(), name="first")
+        before = self.table(first).at(60)
+        self.assertLess(before["area_ratio"].min(), 1 - 1e-6)
+        for ranks in (1, 2):
+            again = bed(MEASURES.replace("objects.csv", f"again_{ranks}.csv"), run="run 0",
+                        objects="create_objects file measures/objects.csv points 16 density 1500 cds 0.2")
+            after = self.table(self.succeed(again, name="first", ranks=ranks), f"measures/again_{ranks}.csv").at(0)
+            for name in ("centroid_x", "centroid_y", "diameter_of_area"):
+                np.testing.assert_allclose(after[name], before[name], rtol=1e-9, err_msg=name)
+            np.testing.assert_allclose(after["area_ratio"], 1.0, rtol=1e-9)
+
+
 class WhatLinesHold(ObjectsTest):
     def test_names_units_and_order(self):
         table = self.table(self.succeed(bed(), ranks=4))

@@ -165,6 +165,35 @@ HELD_ROWS = [
 
 ROWS += FLUID_ROWS + HELD_ROWS
 
+
+SCALAR = "fix fresh fluid/scalar"
+
+
+def carried(words, line=LINES["fluid"], **changes):
+    """The scene with a scalar below its fluid."""
+    return {"fluid": line + "\nfix fresh all fluid/scalar " + words, **changes}
+
+
+ROWS += [
+    ("a scalar without a fluid", {"fluid": "fix fresh all fluid/scalar diffusivity 0", "thermo": "", "output": ""},
+     ["fluid/scalar", "fresh", "no fix fluid/ib", "add one above"]),
+    ("a scalar above its fluid", {"fluid": "fix fresh all fluid/scalar diffusivity 0\n" + LINES["fluid"]}, ["fluid/scalar", "fresh", "below fix fluid/ib"]),
+    ("a scalar without diffusivity", carried("initial 1"), [SCALAR, "'diffusivity'", "length^2/time"]),
+    ("a feed at a wall", carried("diffusivity 0 feed ylo 1"), [SCALAR, "'feed'", "nothing flows through ylo", "use 'value ylo C'"]),
+    ("a value at a periodic side", carried("diffusivity 0 value xlo 1", boundary="boundary p f p"), [SCALAR, "xlo is periodic", "use 'feed xlo C'"]),
+    ("an inflow of nobody knows what", carried("diffusivity 0", LINES["fluid"] + " inflow xlo uniform 0.1 0 outflow xhi"),
+     [SCALAR, "what an inflow brings", "nothing is said of xlo", "add 'feed xlo C'"]),
+    ("a side of a scalar twice", carried("diffusivity 0 value ylo 1 value ylo 2"), [SCALAR, "described once", "ylo is here twice", "take one"]),
+    ("a scalar in a region that is not there", carried("diffusivity 0 region left 1"), [SCALAR, "'region' must name a region", "'left'", "define it above"]),
+    ("a scalar with a name of the fluid's", {"fluid": LINES["fluid"] + "\nfix pressure all fluid/scalar diffusivity 0"},
+     ["fix pressure fluid/scalar", "names the scalar's field", "use another id"]),
+    ("food that is not there", with_word("swell", "max 0.25", "max 0.25 fed_by fresh"), ["swell", "grow", "'fed_by' must name a fix fluid/scalar", "'fresh' is no fix", "add one"]),
+    ("food that is none", with_word("swell", "max 0.25", "max 0.25 fed_by water"), ["swell", "'fed_by' must name a fix fluid/scalar", "'water' is a fix of another style"]),
+    ("full of nothing", with_word("swell", "max 0.25", "max 0.25 full 2"), ["fix grow swell", "'full' needs 'fed_by'", "add it"]),
+    ("food for a variable", {"swell": "variable d equal 0.2\nfix grow all swell diameter v_d fed_by fresh"},
+     ["fix grow swell", "'fed_by' needs a clock for each object", "remove 'fed_by'"]),
+]
+
 MEASURES = LINES["output"] + "\nfix sums all output/objects "
 IN = "fix sums output/objects"
 
@@ -211,6 +240,8 @@ def table(*lines):
 
 SWELL_ROWS = [
     ("a law that is not there", swell("quadratic 1"), [GROW, "'law' must be linear or", "'quadratic'", "change"]),
+    ("a clock that stands still", swell("linear rate 1e-3 max 0.25 clock 0"), [GROW, "'clock' must be a number > 0", "'0'", "change"]),
+    ("a clock for a variable", swell("diameter v_d clock 10"), [GROW, "'clock' needs a law with a time of its own", "variable 'd' gives one size", "remove 'clock'"]),
     ("a rate without its end", swell("linear rate 1e-3 min 0.1"), [GROW, "a rate >= 0 ends at 'max'", "missing", "add"]),
     ("shrinking without its end", swell("linear rate -1e-3"), [GROW, "a rate < 0 ends at 'min'", "missing", "add"]),
     ("shrinking with two ends", swell("linear rate -1e-3 min 0.1 max 0.3"), [GROW, "a rate < 0 ends at 'min'", "'max' is given", "remove"]),
@@ -307,6 +338,40 @@ SHAPE_ROWS = [
 ]
 
 ROWS += SHAPE_ROWS
+
+RANDOM = "create_objects random number 5 within box disk diameter 0.1 density 1500 cds 0.1 reach 0 seed 1"
+PLACE = "create_objects random"
+
+
+def at_random(old, new, above=""):
+    assert old in RANDOM, old
+    return {"objects": above + RANDOM.replace(old, new)}
+
+
+RANDOM_ROWS = [
+    ("at random, but how many", at_random("number 5", "many"), [PLACE, "'how many' must be number or solid_fraction", "'many'", "change"]),
+    ("no objects at random", at_random("number 5", "number 0"), [PLACE, "'number' must be a whole number in [1, ", "'0'", "change"]),
+    ("all of the place", at_random("number 5", "solid_fraction 1"), [PLACE, "'solid_fraction' must be a number in (0, 1)", "'1'", "change"]),
+    ("at random nowhere", at_random("within box ", ""), [PLACE, "here must stand 'within'", "'disk'", "change"]),
+    ("at random in a ball", at_random("within box", "within ball"), [PLACE, "'within' must be box or rectangle or region", "'ball'", "change"]),
+    ("a rectangle out of the box", at_random("within box", "within rectangle 0 1 0.5 1.5"), [PLACE, "rectangle must lie in the box", "from 0 to 1, but is from 0.5 to 1.5", "change"]),
+    ("a rectangle that is turned round", at_random("within box", "within rectangle 0.6 0.2 0 1"), [PLACE, "rectangle must lie in the box", "from 0.6 to 0.2", "change"]),
+    ("a region that is not there", at_random("within box", "within region drum"), [PLACE, "'region' must name a region", "'drum'", "correct"]),
+    ("a region out of the box", at_random("within box", "within region far", "region far sphere 5 5 0 1 units box\n"), [PLACE, "'far' must reach into the box", "move"]),
+    ("at random without a seed", at_random(" seed 1", ""), [PLACE, "'seed' is missing", "add"]),
+    ("a gap below zero", at_random("seed 1", "seed 1 gap -1"), [PLACE, "'gap' must be a number >= 0", "'-1'", "change"]),
+    ("turned at will", at_random("seed 1", "seed 1 orientation upright"), [PLACE, "'orientation' must be random or aligned", "'upright'", "change"]),
+    ("too dense", at_random("number 5", "solid_fraction 0.95"), [PLACE, "must fit into their place", "0.95", "about 0.", "can be reached", "lower 'gap'"]),
+    ("too dense with spheres that reach out", {"objects": RANDOM.replace("number 5", "number 80").replace(" reach 0", "")},
+     [PLACE, "must fit into their place", "80 objects", "reach 0.1 diameters beyond", "lower 'gap' or 'reach'"]),
+    ("less than one object", at_random("number 5", "solid_fraction 1e-3"), [PLACE, "at least one object", "0.001", "raise 'solid_fraction'"]),
+    ("a gap in a lattice", with_word("objects", "cds 0.2", "gap 0.1"), ["create_objects lattice", "unknown keyword 'gap'"]),
+    ("overlap below zero", written("x,y / 0.5,0.5", "create_objects file shape.csv diameter 0.2 density 1500 overlap -1"), ["create_objects file", "'overlap' must be a number >= 0", "change"]),
+    ("more overlap than was said", written("x,y / 0.3,0.5 / 0.45,0.5", "create_objects file shape.csv diameter 0.2 density 1500 overlap 0.01"),
+     ["shape.csv line 3", "must not overlap", "by 0.05", "move"]),
+]
+
+ROWS += RANDOM_ROWS
 
 RUNAWAY = ["objects", "must", "object (molecule) ", "at step ", "use a shorter time step or softer springs"]
 

@@ -41,8 +41,9 @@ struct RingObject {
   swellflow::SpringSet springs(double lambda = 1.0) const
   {
     swellflow::SpringSet set;
-    set.ring.assign(ring_points, law.spring(diameter * std::sin(std::numbers::pi / ring_points), lambda, ring_mass(), ring_mass()));
-    if (spokes) set.spokes.assign(ring_points, law.spring(0.5 * diameter, lambda, ring_mass(), 0.5 * mass));
+    const swellflow::SpringScale scale = law.scale(lambda, 1.0);
+    set.ring.assign(ring_points, scale * law.natural(diameter * std::sin(std::numbers::pi / ring_points), ring_mass(), ring_mass()));
+    if (spokes) set.spokes.assign(ring_points, scale * law.natural(0.5 * diameter, ring_mass(), 0.5 * mass));
     return set;
   }
 };

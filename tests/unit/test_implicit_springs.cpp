@@ -35,7 +35,8 @@ void run_finely(PointBody &body, const SpringSet &springs, double dt, int steps)
   const auto forces = [&] {
     f.assign(body.size(), Vector2::Zero());
     for_each_spring(springs, [&](int a, int b, const Spring &s) {
-      const Vector2 F = spring_force(body.x[a], body.x[b], s.length, s.stiffness) + dashpot_force(body.x[a], body.x[b], body.v[a], body.v[b], s.dashpot);
+      const Direction along(body.x[a], body.x[b]);
+      const Vector2 F = spring_force(along, s.length, s.stiffness) + dashpot_force(along, body.v[a] - body.v[b], s.dashpot);
       f[a] += F;
       f[b] -= F;
     });

@@ -194,6 +194,51 @@ TEST_P(MarkersOnSlabs, ShiftedByAPeriodAreTheSame)
     for (int c = 0; c < 2; ++c) EXPECT_NEAR(u[l][c], shifted_u[l][c], 1e-7);  // the kernels' square roots
 }
 
+/// The same operators for values in the cells: amounts are given as a whole, to the cells that interpolation reads; a slope is read as it is, away from the sides.
+TEST_P(MarkersOnSlabs, ServeValuesInCells)
+{
+  std::vector<double> given, read;
+  for (const auto &v : cloud.values) given.push_back(v[0]);
+  cloud.markers->place_in_cells(cloud.positions);
+  Field<2> &spread = cloud.faces[0], &waves = cloud.faces[1];
+  cloud.markers->spread(given, spread);
+  Halo<2> halo(cloud.grid, cloud.layout);
+  halo.add(spread);
+  for (int k = 0; k < cloud.layout.planes(); ++k) halo.fold(spread, k);
+  Vec<2> amounts{}, products{};  // given, arrived
+  cloud.each_face(0, [&](int c, std::ptrdiff_t at, const auto &cell) {
+    if (c > 0) return;
+    waves[at] = std::sin(1.0 + 0.7 * cell[0] + 1.3 * cell[1]);
+    amounts[1] += cloud.grid.cell_volume() * spread[at];
+    products[1] += cloud.grid.cell_volume() * spread[at] * waves[at];
+  });
+  halo.wrap(waves, 2);
+  halo.fill(waves, 2);
+  cloud.markers->interpolate(waves, read);
+  for (std::size_t l = 0; l < given.size(); ++l) {
+    amounts[0] += given[l];
+    products[0] += given[l] * read[l];
+  }
+  amounts = cloud.sum_over_ranks(amounts);
+  products = cloud.sum_over_ranks(products);
+  EXPECT_NEAR(amounts[0], amounts[1], 1e-11);
+  EXPECT_NEAR(products[0], products[1], 1e-11);
+
+  const auto along = [&](int d, const Vec<2> &x) { return (x[d] - cloud.grid.origin[d]) / cloud.h; };
+  for (int d = 0; d < 2; ++d) {
+    cloud.each_face(0, [&](int c, std::ptrdiff_t at, const auto &cell) { waves[at] = c == d ? cell[d] + 0.5 : waves[at]; });
+    halo.wrap(waves, 2);
+    halo.fill(waves, 2);
+    cloud.markers->interpolate(waves, read);
+    for (std::size_t l = 0; l < read.size(); ++l) {
+      const double s = along(d, cloud.positions[l]);
+      if (s > 2.5 && s < cloud.grid.cells[d] - 2.5) {
+        EXPECT_NEAR(read[l], s, 1e-12);
+      }
+    }
+  }
+}
+
 /// Each marker alone: what no plane says that it holds is not seen by the flow solver, nor cleared.
 TEST_P(MarkersOnSlabs, ChangeOnlyPlanesThatAreTouched)
 {

@@ -146,10 +146,10 @@ TEST_F(MeasureFiles, LinesAreInOrderAndTheHeaderNamesUnits)
   std::getline(lines, header), std::getline(lines, first), std::getline(lines, second);
   EXPECT_TRUE(header.starts_with("step,time [s],id,centroid_x [m],centroid_y [m],velocity_x [m/s],velocity_y [m/s],rotation [rad],spin [rad/s],")) << header;
   EXPECT_NE(header.find(",area [m^2],area_ratio,"), std::string::npos) << header;
-  EXPECT_TRUE(header.ends_with(",contact_pressure [Pa],coordination")) << header;
+  EXPECT_TRUE(header.ends_with(",contact_pressure [Pa],coordination,concentration,uptake [m^2]")) << header;
   EXPECT_TRUE(first.starts_with("10,0.1,2,")) << first;
   EXPECT_NE(second.find(",0.3333333333333333,"), std::string::npos) << second;
-  EXPECT_TRUE(second.ends_with(",4")) << second;
+  EXPECT_TRUE(second.ends_with(",4,0,0")) << second;
   EXPECT_EQ(std::count(first.begin(), first.end(), ','), std::count(header.begin(), header.end(), ','));
   EXPECT_FALSE(std::getline(lines, rest));
   EXPECT_EQ(MeasureFile(folder / "b.csv", unit_names("lj")).header().find('[', header.find("rotation [rad]") + 1), std::string::npos);

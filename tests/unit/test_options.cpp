@@ -28,7 +28,10 @@ std::vector<NewObject> made(const std::string &line, const std::string &file_tex
   std::vector<std::string> words = words_of(line);
   std::vector<char *> arg;
   for (std::string &word : words) arg.push_back(word.data());
-  return read_object_list(arg.size(), arg.data(), [&](const std::string &) { return file_text; });
+  ObjectScene scene;
+  scene.text_of_file = [&](const std::string &) { return file_text; };
+  scene.box = [] { return PlaneBox{.low = {0, 0}, .high = {1, 1}, .periodic = {true, false}}; };
+  return read_object_list(arg.size(), arg.data(), scene).objects;
 }
 
 /// The message that create_objects ends with.
@@ -103,8 +106,8 @@ TEST(CreateObjectsLine, LatticeSpacingMayDifferPerDirection)
 TEST(CreateObjectsLine, SaysWhatIsWrong)
 {
   const std::string good = "disk 0.5 0.5 diameter 0.1 density 1000";
-  expect_all(complaint(""), {"create_objects", "not enough arguments", "disk or ellipse or outline or lattice or file"});
-  expect_all(complaint("ball 0 0"), {"'form' must be disk or ellipse or outline or lattice or file", "'ball'"});
+  expect_all(complaint(""), {"create_objects", "not enough arguments", "disk or ellipse or outline or lattice or random or file"});
+  expect_all(complaint("ball 0 0"), {"'form' must be disk or ellipse or outline or lattice or random or file", "'ball'"});
   expect_all(complaint("disk 0.5"), {"create_objects disk", "not enough arguments for 'y'"});
   expect_all(complaint("disk 0.5 north diameter 1 density 1"), {"'y' must be a number", "'north'"});
   expect_all(complaint("disk 0.5 0.5 density 1000"), {"keyword 'diameter' is missing", "> 0"});
@@ -126,6 +129,18 @@ TEST(CreateObjectsLine, SaysWhatIsWrong)
   expect_all(complaint("lattice 4 0 origin 0 0 spacing 1 disk diameter 0.1 density 1"), {"'objects along y' must be a whole number >= 1"});
   expect_all(complaint("lattice 4 4 at 0 0"), {"create_objects lattice", "here must stand 'origin'", "'at'"});
   expect_all(complaint("lattice 4 4 origin 0 0 spacing 0.2 0 disk diameter 0.1 density 1"), {"'spacing' must be a number > 0"});
+}
+
+TEST(CreateObjectsLine, AFileOfMeasuresGivesTheLastOfThem)
+{
+  const std::string file = "step,time [s],id,centroid_x [m],centroid_y [m],rotation [rad],diameter_of_area [m]\n"
+                           "0,0,1,0.1,0.2,0,0.05\n0,0,2,0.4,0.2,0,0.06\n10,0.1,1,0.11,0.19,1.5707963267948966,0.04\n10,0.1,2,-0.1,0.18,0,0.05\n";
+  const auto objects = made("file bed.csv density 1000", file);
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].centre, Vector2(0.11, 0.19));
+  EXPECT_NEAR(objects[0].angle, 90.0, 1e-12);
+  EXPECT_EQ(objects[0].diameter, 0.04);
+  EXPECT_NEAR(objects[1].centre.x(), 0.9, 1e-12) << "in the box, where it is periodic";
 }
 
 TEST(CreateObjectsLine, FileErrorsNameFileAndLine)

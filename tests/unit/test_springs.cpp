@@ -18,7 +18,7 @@ std::vector<Vector2> forces(const std::vector<Vector2> &x, const SpringSet &spri
 {
   std::vector<Vector2> F(x.size(), Vector2::Zero());
   for_each_spring(springs, [&](int a, int b, const Spring &spring) {
-    const Vector2 f = spring_force(x[a], x[b], spring.length, spring.stiffness);
+    const Vector2 f = spring_force({x[a], x[b]}, spring.length, spring.stiffness);
     F[a] += f;
     F[b] -= f;
   });
@@ -109,7 +109,7 @@ bool stays_small(PointBody body, const SpringSet &springs, double dt)
   for (int step = 0; step < 2000; ++step) {
     std::vector<Vector2> F = forces(body.x, springs);
     for_each_spring(springs, [&](int a, int b, const Spring &spring) {
-      const Vector2 f = dashpot_force(body.x[a], body.x[b], body.v[a], body.v[b], spring.dashpot);
+      const Vector2 f = dashpot_force({body.x[a], body.x[b]}, body.v[a] - body.v[b], spring.dashpot);
       F[a] += f;
       F[b] -= f;
     });
@@ -143,11 +143,11 @@ TEST(SpringLaw, AModulusGivesTheSameTensionAtTheSameStrain)
   const SpringLaw law{.modulus = 6.0};
   for (double length : {0.5, 2.0})
     for (double lambda : {1.0, 3.0}) {
-      const Spring spring = law.spring(length, lambda, 1.0, 1.0);
+      const Spring spring = law.scale(lambda, 1.0) * law.natural(length, 1.0, 1.0);
       EXPECT_DOUBLE_EQ(spring.length, lambda * length);
       EXPECT_DOUBLE_EQ(spring.stiffness * 0.1 * spring.length, 0.6);
     }
-  const Spring slack = SpringLaw{.modulus = 6.0, .zero_lengths = true}.spring(0.5, 1.0, 1.0, 1.0);
+  const Spring slack = SpringLaw{.modulus = 6.0, .zero_lengths = true}.natural(0.5, 1.0, 1.0);
   EXPECT_EQ(slack.length, 0.0);
   EXPECT_DOUBLE_EQ(slack.stiffness, 12.0);
 }
@@ -155,43 +155,43 @@ TEST(SpringLaw, AModulusGivesTheSameTensionAtTheSameStrain)
 TEST(SpringLaw, StiffnessFollowsTheSwellingRatio)
 {
   SpringLaw law{.stiffness = 10.0, .stiffening = {.power = -2.0}};
-  EXPECT_DOUBLE_EQ(law.spring(1.0, 2.0, 1.0, 1.0).stiffness, 2.5);
+  EXPECT_DOUBLE_EQ(law.scale(2.0, 1.0).stiffness * law.natural(1.0, 1.0, 1.0).stiffness, 2.5);
   law.stiffening.table = {{1.0, 1.0}, {2.0, 0.4}, {4.0, 0.1}};
-  EXPECT_DOUBLE_EQ(law.spring(1.0, 0.5, 1.0, 1.0).stiffness, 10.0) << "held before the table";
-  EXPECT_DOUBLE_EQ(law.spring(1.0, 1.5, 1.0, 1.0).stiffness, 7.0);
-  EXPECT_DOUBLE_EQ(law.spring(1.0, 2.0, 1.0, 1.0).stiffness, 4.0);
-  EXPECT_DOUBLE_EQ(law.spring(1.0, 9.0, 1.0, 1.0).stiffness, 1.0) << "held beyond the table";
+  EXPECT_DOUBLE_EQ(law.scale(0.5, 1.0).stiffness * law.natural(1.0, 1.0, 1.0).stiffness, 10.0) << "held before the table";
+  EXPECT_DOUBLE_EQ(law.scale(1.5, 1.0).stiffness * law.natural(1.0, 1.0, 1.0).stiffness, 7.0);
+  EXPECT_DOUBLE_EQ(law.scale(2.0, 1.0).stiffness * law.natural(1.0, 1.0, 1.0).stiffness, 4.0);
+  EXPECT_DOUBLE_EQ(law.scale(9.0, 1.0).stiffness * law.natural(1.0, 1.0, 1.0).stiffness, 1.0) << "held beyond the table";
 }
 
 TEST(Springs, ForcesAreOppositeAndAlongTheSpring)
 {
   const Vector2 A(0.3, -0.2), B(1.1, 0.4), U(0.7, 0.1), W(-0.2, 0.5), d = A - B;
-  const Vector2 spring = spring_force(A, B, 0.8, 3.0), dashpot = dashpot_force(A, B, U, W, 0.7);
-  EXPECT_EQ(spring, -spring_force(B, A, 0.8, 3.0));
-  EXPECT_EQ(dashpot, -dashpot_force(B, A, W, U, 0.7));
+  const Vector2 spring = spring_force({A, B}, 0.8, 3.0), dashpot = dashpot_force({A, B}, U - W, 0.7);
+  EXPECT_EQ(spring, -spring_force({B, A}, 0.8, 3.0));
+  EXPECT_EQ(dashpot, -dashpot_force({B, A}, W - U, 0.7));
   EXPECT_NEAR(spring.x() * d.y() - spring.y() * d.x(), 0.0, 1e-15);
   EXPECT_NEAR(dashpot.x() * d.y() - dashpot.y() * d.x(), 0.0, 1e-15);
 }
 
 TEST(Springs, PullBackAndPushApart)
 {
-  EXPECT_EQ(spring_force({1.5, 0}, {0, 0}, 1.0, 2.0), Vector2(-1.0, 0.0));
-  EXPECT_EQ(spring_force({0.5, 0}, {0, 0}, 1.0, 2.0), Vector2(1.0, 0.0));
+  EXPECT_EQ(spring_force({{1.5, 0}, {0, 0}}, 1.0, 2.0), Vector2(-1.0, 0.0));
+  EXPECT_EQ(spring_force({{0.5, 0}, {0, 0}}, 1.0, 2.0), Vector2(1.0, 0.0));
 }
 
 TEST(Springs, ADashpotOpposesTheClosingSpeedOnly)
 {
   const Vector2 A(0, 0), B(1, 0);
-  EXPECT_EQ(dashpot_force(A, B, Vector2(-1, 0), Vector2(1, 0), 1.5), Vector2(3, 0)) << "opening";
-  EXPECT_EQ(dashpot_force(A, B, Vector2(1, 0), Vector2(-1, 0), 1.5), Vector2(-3, 0)) << "closing";
-  EXPECT_EQ(dashpot_force(A, B, Vector2(0, 1), Vector2(0, -1), 1.5).norm(), 0.0) << "turning";
+  EXPECT_EQ(dashpot_force({A, B}, Vector2(-1, 0) - Vector2(1, 0), 1.5), Vector2(3, 0)) << "opening";
+  EXPECT_EQ(dashpot_force({A, B}, Vector2(1, 0) - Vector2(-1, 0), 1.5), Vector2(-3, 0)) << "closing";
+  EXPECT_EQ(dashpot_force({A, B}, Vector2(0, 1) - Vector2(0, -1), 1.5).norm(), 0.0) << "turning";
 }
 
 TEST(Springs, PointsOnOneSpotGiveNoForce)
 {
   const Vector2 A(0.5, 0.5);
-  EXPECT_EQ(spring_force(A, A, 0.8, 3.0).norm(), 0.0);
-  EXPECT_EQ(dashpot_force(A, A, Vector2(1, 0), Vector2(0, 1), 0.7).norm(), 0.0);
+  EXPECT_EQ(spring_force({A, A}, 0.8, 3.0).norm(), 0.0);
+  EXPECT_EQ(dashpot_force({A, A}, Vector2(1, 0) - Vector2(0, 1), 0.7).norm(), 0.0);
 }
 
 TEST(Springs, BondedPairKeepsTheAskedRestitution)
@@ -201,7 +201,7 @@ TEST(Springs, BondedPairKeepsTheAskedRestitution)
     const double k = 100.0, c = dashpot_constant(damping_ratio(e), k, m_a, m_b);
     Vector2 A(0, 0), B(1, 0), U(1, 0), W(-3, 0);
     do {  // until the spring is as long as at rest again
-      const Vector2 F = spring_force(A, B, 1.0, k) + dashpot_force(A, B, U, W, c);
+      const Vector2 F = spring_force({A, B}, 1.0, k) + dashpot_force({A, B}, U - W, c);
       U += dt / m_a * F, W -= dt / m_b * F;
       A += dt * U, B += dt * W;
     } while ((B - A).x() < 1.0);

@@ -133,12 +133,25 @@ TEST(TanakaFillmoreSwelling, GoesFromTheStartToTheEnd)
 {
   const double tau = TanakaFillmoreSwelling::tau_of(0.2, 1e-3);
   EXPECT_DOUBLE_EQ(tau, 0.01 / (pi * pi * 1e-3));
-  const TanakaFillmoreSwelling growth(0.2, tau), shrinking(0.05, 2.0);
+  const auto growth = TanakaFillmoreSwelling::with_tau(SizeKind::diameter, 0.2, tau), shrinking = TanakaFillmoreSwelling::with_tau(SizeKind::diameter, 0.05, 2.0);
   EXPECT_EQ(growth.diameter(0.1, 0.0), 0.1);
   EXPECT_NEAR(growth.diameter(0.1, tau), 0.17736, 5e-6);
   EXPECT_EQ(growth.diameter(0.1, 41.0 * tau), 0.2);
   EXPECT_TRUE(growth.settled(0.1, 41.0 * tau));
   EXPECT_NEAR(shrinking.diameter(0.1, 1.0), 0.1 - 0.05 * 0.6099, 5e-6);
+}
+
+TEST(TanakaFillmoreSwelling, OfARatioGivesEachObjectItsOwnPace)
+{
+  const double gel = 1e-3;
+  const auto growth = TanakaFillmoreSwelling::with_diffusivity(SizeKind::ratio, 2.0, gel);
+  for (const double start : {0.1, 0.3}) {
+    const double tau = TanakaFillmoreSwelling::tau_of(2.0 * start, gel);
+    EXPECT_DOUBLE_EQ(growth.diameter(start, tau), start * (1.0 + swelling_fraction(1.0)));
+    EXPECT_EQ(growth.diameter(start, 41.0 * tau), 2.0 * start);
+    EXPECT_FALSE(growth.settled(start, 39.0 * tau));
+    EXPECT_TRUE(growth.settled(start, 41.0 * tau));
+  }
 }
 
 TEST(SwellingClock, CountsOnOverChangesOfTheStep)

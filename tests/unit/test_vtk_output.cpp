@@ -46,6 +46,9 @@ public:
         else
           for (double component : velocity(i, j)) values.push_back(component);
   }
+  void add_scalar(const ScalarOptions &) override {}
+  void remove_scalar(const std::string &) override {}
+  ScalarPartner *scalar(const std::string &) override { return nullptr; }
   std::vector<PhaseTime> phase_times() const override { return {}; }
   double seconds_in_fluid() const override { return 0.0; }
   double seconds_in_coupling() const override { return 0.0; }
