@@ -1,5 +1,9 @@
 #include "coupling/inner_fluid.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "liggghts_plugins/fix_objects.h"
 #include "liggghts_plugins/fluid_columns.h"
 
@@ -20,6 +24,20 @@ template <class Visit> void for_each_own_bearing(const ObjectPoints &object, con
     const int own = points.own_index(image);
     if (own >= 0) visit(own, image);
   });
+}
+
+/// The smaller one, none where it has turned round: what can be trusted to go on, however long the fluid's step is against the time of a contact.
+double lasting(double now, double before) { return now * before > 0.0 ? std::copysign(std::min(std::abs(now), std::abs(before)), now) : 0.0; }
+
+/// Of the contacts' forces and torque, as they are now; the next step finds these in the points' state.
+Eigen::Vector3d lasting_contact(const ObjectPoints &object, const DemEngine &points, const Eigen::Vector3d &now)
+{
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for_each_own_bearing(object, points, [&](int own, int) {
+    double *before = points.state[own] + FluidState::CONTACT_X;
+    for (int c = 0; c < 3; ++c) result[c] = lasting(now[c], std::exchange(before[c], now[c]));
+  });
+  return result;
 }
 
 }  // namespace
@@ -44,33 +62,36 @@ void InnerFluid::follow(const ObjectPoints &object, const ObjectMotion &motion, 
   });
 }
 
-/// sum of kappa over the points, as it resists a rigid motion, times dt; and dt times the sum of the law's forces and torques at the present velocities.
+/// sum of kappa over the points, as it resists a rigid motion, times dt; and dt times the sums of forces and torques: of the law at the present velocities, and of
+/// contacts (springs cancel).
 InnerFluid::Drag InnerFluid::drag_of(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity, double dt, const DemEngine &points)
 {
-  Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
+  Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), contact = Eigen::Vector3d::Zero();
   double sum = 0.0, sum_x = 0.0, sum_y = 0.0, sum_square = 0.0;
   for_each_bearing(object, points, [&](int i) {
     const double rx = points.x[i][0] - motion.centre[0], ry = points.x[i][1] - motion.centre[1], kappa = points.law[i][FluidLaw::KAPPA];
     const Vec<2> v = drift_velocity(points, i, gravity);
     const double fx = points.law[i][FluidLaw::A_X] - kappa * v[0], fy = points.law[i][FluidLaw::A_Y] - kappa * v[1];
     impulse += Eigen::Vector3d(fx, fy, rx * fy - ry * fx);
+    const double *f = points.impulse[i] + FluidImpulse::OUTER_X, mass = points.mass[i], cx = f[0] - mass * gravity[0], cy = f[1] - mass * gravity[1];
+    contact += Eigen::Vector3d(cx, cy, rx * cy - ry * cx);
     sum += kappa;
     sum_x += kappa * rx;
     sum_y += kappa * ry;
     sum_square += kappa * (rx * rx + ry * ry);
   });
   const Eigen::Matrix3d mass{{sum, 0.0, -sum_y}, {0.0, sum, sum_x}, {-sum_y, sum_x, sum_square}};
-  return {.impulse = dt * impulse, .mass = dt * mass};
+  return {.impulse = dt * impulse, .contact = dt * contact, .mass = dt * mass};
 }
 
-/// As a rigid body: (M - rho_f V) (V1 - V0) = dt [ sum (a - kappa u) + (M - rho_f V) g ], u = V1 + W1 x r + what points have beyond that now; the same with torques.
+/// As a rigid body: (M - rho_f V) (V1 - V0) = dt [ sum (a - kappa u) + (M - rho_f V) g + lasting contact ], u = V1 + W1 x r + what points have beyond that now; the same with torques.
 Eigen::Vector3d InnerFluid::foresee(const Drag &drag, const ObjectMotion &motion, const Triple &gravity, double dt) const
 {
   const double excess = 1.0 - mass(motion) / motion.mass;
   const double excess_inertia = (1.0 - motion.inner_inertia * mass(motion) / motion.mass) * motion.inertia;
   const Eigen::Vector3d excess_mass(excess * motion.mass, excess * motion.mass, excess_inertia);
   const Eigen::Matrix3d A = drag.mass + Eigen::Matrix3d(excess_mass.asDiagonal());
-  const Eigen::Vector3d change = A.ldlt().solve(drag.impulse + dt * excess_mass.cwiseProduct(Eigen::Vector3d(gravity[0], gravity[1], 0.0)));
+  const Eigen::Vector3d change = A.ldlt().solve(drag.impulse + drag.contact + dt * excess_mass.cwiseProduct(Eigen::Vector3d(gravity[0], gravity[1], 0.0)));
   return change.allFinite() ? Eigen::Vector3d(change / dt) : Eigen::Vector3d::Zero();
 }
 
@@ -85,7 +106,8 @@ void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &
 {
   bool meets = false;
   for_each_own_bearing(object, points, [&](int own, int) { meets = meets || points.state[own][FluidState::KNOWS_BEFORE] == 1.0; });
-  const Drag drag = meets || !has_markers ? drag_of(object, motion, gravity, dt, points) : Drag{};
+  Drag drag = meets || !has_markers ? drag_of(object, motion, gravity, dt, points) : Drag{};
+  drag.contact = dt * lasting_contact(object, points, drag.contact / dt);
   const Eigen::Vector3d foreseen = has_markers ? Eigen::Vector3d::Zero() : foresee(drag, motion, gravity, dt);
   const Eigen::Vector3d at_first = meets ? lacking(drag) : Eigen::Vector3d::Zero();
   for_each_own_bearing(object, points, [&](int own, int image) {

@@ -12,7 +12,7 @@ namespace swellflow {
 /// The points bear the whole mass M of their object; so that it moves with the inertia and the weight of M - rho_f V, V its natural area, the points get the force
 /// rho_f V (a + alpha x r - g) in shares of mass (Uhlmann 2005, eqs. 17 to 24: a solid body whose inside is fluid), alpha scaled by the inertia of the fluid inside over that of these
 /// shares. a and alpha are those of the coming fluid step as
-/// gravity and the fluid's law make them; what they were off the motion that came of it is made up for over the next steps. docs/theory.md has the measurements.
+/// gravity, lasting contacts and the fluid's law make them; what they were off the motion that came of it is made up for over the next steps. docs/theory.md has the measurements.
 /// 2-D, per unit depth.
 class InnerFluid {
 public:
@@ -30,7 +30,7 @@ public:
 private:
   /// In x, y and about the centre.
   struct Drag {
-    Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
+    Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), contact = Eigen::Vector3d::Zero();
     Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
   };
   double mass(const ObjectMotion &motion) const { return density_ * motion.natural_area; }

@@ -125,11 +125,18 @@ void FixFluidIb::pre_initial_integrate()
   // Ghosts lag half a step behind in velocity. All ranks take part, those without ghosts too.
   comm->forward_comm();
   carried_->do_forward_comm();
+  note_outer_forces();
   impulse_->do_forward_comm();
   const FluidDrive now = drive();
   partner_->begin_step(objects(), now, dem_steps_);
   law_->do_forward_comm();
   partner_->complete_law(objects_, now);
+}
+
+void FixFluidIb::note_outer_forces()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 2; d++) impulse_->array_atom[i][FluidImpulse::OUTER_X + d] = atom->f[i][d] * force->ftm2v;
 }
 
 void FixFluidIb::end_of_step()

@@ -50,6 +50,7 @@ class FixFluidIb : public Fix {
   const class FixSwell *inflating_swell() const;
   void warn_without_resistance();
   void make_partner();
+  void note_outer_forces();
   const std::vector<swellflow::ObjectPoints> &objects();
   swellflow::FluidDrive drive();
   const swellflow::FluidReport &report();

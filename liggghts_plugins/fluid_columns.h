@@ -10,10 +10,10 @@ struct FluidLaw {
 };
 
 /// The impulse that a point truly received from that law since the fluid step began; and (ghosts know this too) by how much its velocity at the end of a DEM step is ahead of what it
-/// received so far (FixObjectIntegrator).
+/// received so far (FixObjectIntegrator); and what acted on it beside the fluid when the fluid step began: weight, contacts, springs.
 struct FluidImpulse {
   static constexpr const char *NAME = "fluid_impulse";
-  enum Column { RECEIVED_X, RECEIVED_Y, RECEIVED_Z, AHEAD_X, AHEAD_Y, KNOWS_AHEAD, N_COLUMNS };
+  enum Column { RECEIVED_X, RECEIVED_Y, RECEIVED_Z, AHEAD_X, AHEAD_Y, KNOWS_AHEAD, OUTER_X, OUTER_Y, N_COLUMNS };
   static constexpr int N_RECEIVED = 3;  // those with which a fluid step begins anew
 };
 
@@ -42,6 +42,9 @@ struct FluidState {
     RETURNED_X,        // acceleration for which it is returned in the present fluid step
     RETURNED_Y,
     RETURNED_SPIN,
+    CONTACT_X,         // force and torque of its contacts when the last fluid step began
+    CONTACT_Y,
+    CONTACT_TURN,
     INNER_FORCE_X,     // of the fluid inside, its inertia and its weight: part of the law
     INNER_FORCE_Y,
     INNER_AREA,        // of the hub of an object that inflates: what fluid there is inside; 0: not known yet

@@ -11,6 +11,8 @@ import caselib
 
 
 class CaseTest(unittest.TestCase):
+    TIMEOUT = 120  # seconds, of a run
+
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="swellflow_")
         self.addCleanup(scratch.cleanup)
@@ -28,6 +30,5 @@ class CaseTest(unittest.TestCase):
         self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
         self.assertRegex(result.stdout, message)
 
-    @staticmethod
-    def call(*command):
-        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+    def call(self, *command):
+        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=self.TIMEOUT, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})

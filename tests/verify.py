@@ -47,6 +47,16 @@ def swelling_clock():
                                     [("swelling_clock", f"shear_{clock}", {"scene": "shear", "clock": clock, "rate": 2e-3, "T": 125}) for clock in (100, 300, 1000)])
 
 
+def swelling_bed():
+    return case("swelling_bed", "swelling_bed", "--np", "2", "--check")
+
+
+def swelling_bed_gap():
+    return all_of("swelling_bed_gap", [("swelling_bed", f"reach_{reach}", {"beads": 100, "across": 10, "reach": reach}) for reach in (0.05, 0.075, 0.1)] +
+                                      [("swelling_bed", "reach_0.15", {"beads": 100, "across": 10, "reach": 0.15, "cds": 0.15, "fraction": 0.48}),
+                                       ("swelling_bed", "no_swelling", {"beads": 100, "across": 10, "swelling": 0})])
+
+
 def decomposition():
     return subprocess.run([sys.executable, str(ROOT / "tests" / "decomposition.py"), str(FOLDER / "decomposition")]).returncode
 

@@ -1,0 +1,85 @@
+"""The bed over time and over height, from history.csv and objects.csv: solid fraction, permeability, and the layers of beads as they were made."""
+
+import csv
+import math
+
+import numpy as np
+
+import caselib
+from histories import History
+
+LAYERS = ("lower", "middle", "upper")  # thirds of the beads, by the height at which they were made
+LAYER_VALUES = {"swelling_ratio": "natural swelling ratio", "contact_pressure [Pa]": "contact pressure [Pa]", "aspect_ratio": "aspect ratio",
+                "diameter_of_area [m]": "diameter [m]", "uptake [m^2]": "uptake [m^2]", "concentration": "concentration", "area_ratio": "area over natural area"}
+
+
+def chord_area(radius, height):
+    """Area of a disc below a line that is `height` above its centre."""
+    s = np.clip(height / radius, -1.0, 1.0)
+    return radius**2 * (math.pi / 2 + np.arcsin(s) + s * np.sqrt(1.0 - s**2))
+
+
+class Bed:
+    """times: those of objects.csv; value("area [m^2]"): by time and bead, in the order of their ids."""
+
+    def __init__(self, run):
+        self.run, self.history = run, History(run)
+        v = run.variables
+        self.width = v["across"] * v["diameter"]
+        rows = caselib.read_csv(run.folder / "objects.csv")
+        self.columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+        self.beads = len({row["id"] for row in rows})
+        self.times = self.value("time [s]")[:, 0]
+        heights = self.value("centroid_y [m]")
+        self.layer = np.argsort(np.argsort(heights[0])) * len(LAYERS) // self.beads
+        self.radius = np.sqrt(self.value("area [m^2]") / math.pi)
+        self.top, self.bottom = (heights + self.radius).max(axis=1), (heights - self.radius).min(axis=1)
+        # What `head` of the script is: the gradient times the height of the bed that was asked for.
+        made = v["beads"] * math.pi / 4 * v["diameter"]**2 * (1 + v["spread"]**2) / (v["fraction"] * self.width)
+        self.head = v["gradient"] * made
+
+    def escaped(self):
+        """Beads that are not between the grids at the end."""
+        v, y = self.run.variables, self.value("centroid_y [m]")[-1]
+        lower = 2.5 * v["diameter"]
+        upper = lower + v["diameter"] + self.head / v["gradient"]
+        return int(((y < lower) | (y > upper)).sum())
+
+    def value(self, name):
+        return self.columns[name].reshape(-1, self.beads)
+
+    def in_layer(self, name, k, of=np.mean):
+        return of(self.value(name)[:, self.layer == k], axis=1)
+
+    def solid_below(self, frame, height):
+        """Area of the beads below a height; each as a disc of its area."""
+        return float(chord_area(self.radius[frame], height - self.value("centroid_y [m]")[frame]).sum())
+
+    def porosity(self, frame, low, high):
+        return 1.0 - (self.solid_below(frame, high) - self.solid_below(frame, low)) / (self.width * (high - low))
+
+    def porosity_of_parts(self, frame, parts):
+        """Of as many parts of equal height between the beads' lowest and highest points: middles and values."""
+        edges = np.linspace(self.bottom[frame], self.top[frame], parts + 1)
+        return 0.5 * (edges[1:] + edges[:-1]), np.array([self.porosity(frame, a, b) for a, b in zip(edges[:-1], edges[1:])])
+
+    def flow(self, time):
+        """Superficial velocity, mean over the interval about a time."""
+        return float(np.interp(time, self.history.time, self.history["superficial_velocity"]))
+
+    def permeability(self, frame):
+        """Darcy: mu U L / head, L the height of the bed; the grids and the free water take next to nothing of the head."""
+        viscosity = 1e-3  # of the script: density 1000, kinematic 1e-6
+        return viscosity * self.flow(self.times[frame]) * (self.top[frame] - self.bottom[frame]) / self.head
+
+    def write_layers(self, path):
+        """One line a time and layer."""
+        with open(path, "w", newline="") as file:
+            out = csv.writer(file)
+            out.writerow(["time [s]", "layer", "superficial velocity [m/s]", "permeability [m^2]", "porosity of the bed", "spread of diameters", *LAYER_VALUES.values()])
+            for frame, time in enumerate(self.times):
+                whole = [self.flow(time), self.permeability(frame), self.porosity(frame, self.bottom[frame], self.top[frame])]
+                for k, name in enumerate(LAYERS):
+                    spread = self.in_layer("diameter_of_area [m]", k, np.std)[frame] / self.in_layer("diameter_of_area [m]", k)[frame]
+                    values = [self.in_layer(column, k, np.sum if column.startswith("uptake") else np.mean)[frame] for column in LAYER_VALUES]
+                    out.writerow([f"{time:g}", name, *(f"{value:.6g}" for value in (*whole, spread, *values))])
