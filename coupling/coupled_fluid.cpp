@@ -72,6 +72,7 @@ template <int Dim> int CoupledFluid<Dim>::choose_dem_steps(double dem_dt, const 
 
 template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps)
 {
+  loaded_.reset();
   points_.refresh();
   dt_before_ = dt_;
   dt_ = dem_steps * points_.time_step();

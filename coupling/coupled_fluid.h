@@ -44,9 +44,12 @@ public:
   double seconds_in_fluid() const override { return seconds_in_fluid_ + seconds_in_scalars(); }
   double seconds_in_coupling() const override { return seconds_in_coupling_; }
 
-  void add_scalar(const ScalarOptions &options) override;
+  bool add_scalar(const ScalarOptions &options) override;
   void remove_scalar(const std::string &name) override;
   ScalarPartner *scalar(const std::string &name) override;
+
+  void save(const std::string &file) override;
+  void load(const std::string &file, long begin, long end) override;
 
   // For its scalars, after a step
   const FlowSolver<Dim> &flow() const { return flow_; }
@@ -86,6 +89,8 @@ private:
     bool filled;
   };
 
+  void keep(Checkpoint &file);
+  void require_same_box(Checkpoint &file);
   double seconds_in_scalars() const;
   void drive(const FluidDrive &drive);
   bool some_markers() const;
@@ -129,6 +134,7 @@ private:
   Courier to_slabs_, to_homes_, to_sources_;
   FluidOptions options_;
   std::vector<std::unique_ptr<CoupledScalar<Dim>>> scalars_;
+  std::unique_ptr<CheckpointReader> loaded_;  // until the first step, for scalars that join
   double dt_ = 0.0, dt_before_ = 0.0;
 
   // On the rank that has the point when the step begins

@@ -5,7 +5,13 @@
 
 namespace swellflow {
 
-template <int Dim> void CoupledFluid<Dim>::add_scalar(const ScalarOptions &options) { scalars_.push_back(std::make_unique<CoupledScalar<Dim>>(*this, options)); }
+template <int Dim> bool CoupledFluid<Dim>::add_scalar(const ScalarOptions &options)
+{
+  scalars_.push_back(std::make_unique<CoupledScalar<Dim>>(*this, options));
+  if (!loaded_ || !loaded_->has("scalar " + options.name)) return false;
+  scalars_.back()->keep(*loaded_);
+  return true;
+}
 
 template <int Dim> void CoupledFluid<Dim>::remove_scalar(const std::string &name)
 {

@@ -110,6 +110,12 @@ template <int Dim> ScalarReport CoupledScalar<Dim>::report()
           .appeared = appeared, .balance_error = magnitude > 0.0 ? error / magnitude : 0.0, .sub_steps = transport_.sub_steps()};
 }
 
+template <int Dim> void CoupledScalar<Dim>::keep(Checkpoint &file)
+{
+  transport_.keep(file, name_);
+  file.parts("total at the start of " + name_, &total_at_start_, 1);
+}
+
 template class CoupledScalar<2>;
 
 }  // namespace swellflow

@@ -18,6 +18,8 @@ public:
   std::vector<double> values_at(const std::vector<Triple> &places) override;
   ScalarReport report() override;
 
+  /// Its state goes into a checkpoint, or comes from it. Collective.
+  void keep(Checkpoint &file);
   const std::string &name() const { return name_; }
   const Field<Dim> &values() const { return transport_.values(); }
   double seconds() const { return seconds_; }

@@ -2,7 +2,6 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -15,7 +14,8 @@
 #include "lammps.h"
 #include "library.h"
 #include "liggghts_plugins/register_styles.h"
-#include "signal_handling.h"
+#include "liggghts_plugins/stop_request.h"
+#include "liggghts_plugins/stop_signals.h"
 
 namespace {
 
@@ -26,17 +26,6 @@ bool has_argument(int argc, char **argv, std::initializer_list<const char *> nam
   return std::any_of(argv + 1, argv + argc, [&](const char *arg) {
     return std::any_of(names.begin(), names.end(), [&](const char *name) { return std::strcmp(arg, name) == 0; });
   });
-}
-
-/// As liggghts: the first signal ends the run in order, with a restart file where the script asks for one, the second at once.
-void handle_signals()
-{
-  struct sigaction action {};
-  action.sa_handler = LAMMPS_NS::SignalHandler::int_handler;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  action.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
-  sigaction(SIGUSR1, &action, nullptr);
 }
 
 /// LIGGGHTS prints its own help and exits while it is being opened, so ours comes first.
@@ -67,7 +56,10 @@ int run_script(int argc, char **argv, MPI_Comm failures)
     auto *lmp = static_cast<LAMMPS *>(handle);
     swellflow::register_styles(lmp, {swellflow::make_coupled_fluid, swellflow::make_vtk_output});
     lmp->input->file();
+    const bool stopped = report_stop(lmp);
     lammps_close(handle);
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (stopped) swellflow::stop_signals::limit_finalize();
     return 0;
   } catch (const std::exception &error) {
     if (swellflow::agree_on_failure(failures, error.what())) report(static_cast<LAMMPS *>(handle), error.what());
@@ -85,7 +77,7 @@ int main(int argc, char **argv)
   }
   // An error that ends all ranks at once would lose what is still in the buffer, its own message with it.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-  handle_signals();
+  swellflow::stop_signals::handle();
   MPI_Init(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

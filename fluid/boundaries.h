@@ -9,6 +9,8 @@
 
 namespace swellflow {
 
+class Checkpoint;
+
 enum class Boundary {
   wall,              ///< no-slip; its velocity lies within its plane
   slip,              ///< no flow through it, no shear on it
@@ -45,6 +47,8 @@ public:
   void let_out(double source);
   /// What was the end is the beginning of the next step.
   void end_step() { present_ = next_; }
+  /// Between two steps. Collective.
+  void keep(Checkpoint &file);
 
   AllEnds<Dim> velocity_ends(int component) const;
   AllEnds<Dim> pressure_ends() const;

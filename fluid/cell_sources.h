@@ -7,6 +7,8 @@
 
 namespace swellflow {
 
+class Checkpoint;
+
 /// The volume that appears in each cell, per time and per volume of the cell [1/time]: the divergence that the projection leaves there.
 template <int Dim> class CellSources {
 public:
@@ -54,6 +56,8 @@ public:
     for (int k = 0; k < layout_.planes(); ++k) halo_.fold(rate_, k);
     MPI_Allreduce(MPI_IN_PLACE, &total_, 1, MPI_DOUBLE, MPI_SUM, grid_.comm);
   }
+
+  void keep(Checkpoint &file);  ///< collective
 
   const double *rate() const { return rate_.data(); }
   double total() const { return total_; }  ///< of all ranks, after `complete`

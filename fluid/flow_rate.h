@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "fluid/grid.h"
+#include "fluid/checkpoint.h"
 
 namespace swellflow {
 
@@ -34,6 +34,14 @@ public:
       body_force[d] = g_[d];
     }
     dt_before_ = dt;
+  }
+
+  /// Collective.
+  void keep(Checkpoint &file)
+  {
+    file.common("flow rate, force", g_.data(), Dim);
+    file.common("flow rate, velocity before", before_.data(), Dim);
+    file.number("flow rate, step before", dt_before_);
   }
 
 private:

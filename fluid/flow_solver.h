@@ -89,6 +89,8 @@ public:
   void start_from_velocity();
   /// The same everywhere.
   void start_with_velocity(const Vec<Dim> &velocity);
+  /// Its state between two steps goes into a checkpoint, or comes from it. Collective.
+  void keep(Checkpoint &file);
 
 private:
   using Solver = std::shared_ptr<DirectSolver<Dim>>;

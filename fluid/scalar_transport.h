@@ -3,12 +3,15 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "fluid/direct_solver.h"
 #include "fluid/halo.h"
 #include "fluid/side_rows.h"
 
 namespace swellflow {
+
+class Checkpoint;
 
 /// What a scalar does at a side of the box.
 enum class ScalarSide {
@@ -67,6 +70,8 @@ public:
     double smallest, largest;
   };
   Extremes extremes_here() const;
+  /// Its state between two steps goes into a checkpoint, or comes from it, under this name. Collective.
+  void keep(Checkpoint &file, const std::string &name);
 
 private:
   bool is_cut(int d) const { return sides_[2 * d] != ScalarSide::open || sides_[2 * d + 1] != ScalarSide::open; }

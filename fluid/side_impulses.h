@@ -28,6 +28,7 @@ public:
   void add_implicit_viscosity(const VectorField<Dim> &u_star);
   /// Pressure, and what flows through the sides as the step ends.
   void end_step(const Field<Dim> &p, const VectorField<Dim> &faces);
+  void keep(Checkpoint &file);  ///< collective
 
   /// This rank's part.
   const BySide &here() const { return impulse_; }

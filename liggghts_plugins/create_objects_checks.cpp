@@ -70,7 +70,7 @@ void CreateObjects::check_place(const NewObject &object) const
                       ends = "box from " + shown(low) + " to " + shown(high) + ": move it, or make the box larger";
     if (whole.periodic[d] && (above - below >= 0.5 * (high - low) || at < low || at >= high))
       fail("an object must have its centre in a periodic box at least twice its size, but " + who + ", has not, in the " + ends);
-    if (!whole.periodic[d] && (at + below <= low || at + above >= high))
+    if (!whole.periodic[d] && (at + below <= low - overlap_ || at + above >= high + overlap_))
       fail("an object must lie inside the box and not touch its sides, but " + who + ", touches or leaves the " + ends);
   }
 }

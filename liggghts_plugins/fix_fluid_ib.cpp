@@ -1,5 +1,6 @@
 #include "fix_fluid_ib.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -7,6 +8,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_checkpoint.h"
 #include "fix_objects.h"
 #include "fix_property_atom.h"
 #include "fix_swell.h"
@@ -15,14 +17,16 @@
 #include "gravity.h"
 #include "modify.h"
 #include "options.h"
+#include "output.h"
 #include "per_atom_values.h"
+#include "restart_lines.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace swellflow;
 
 FixFluidIb::FixFluidIb(LAMMPS *lmp, int narg, char **arg, const FluidPartnerFactory &make_partner) :
-  Fix(lmp, narg, arg), make_partner_(make_partner), phases_(lmp)
+  Fix(lmp, narg, arg), make_partner_(make_partner), phases_(lmp), stop_(lmp)
 {
   or_stop(lmp, [&] { parse(narg, arg); });
   nevery = 1;
@@ -57,8 +61,7 @@ int FixFluidIb::setmask()
 }
 
 /* ----------------------------------------------------------------------
-   the per-atom vectors that integrators and the coupling share.
-   A restart file does not hold the fluid, so it does not hold them either.
+   the per-atom vectors that integrators and the coupling share
 ------------------------------------------------------------------------- */
 
 void FixFluidIb::post_create()
@@ -100,14 +103,25 @@ void FixFluidIb::make_partner()
     options.initial_side_velocity = script_->drive(lmp).side_velocity;
     try {
       partner_ = make_partner_(lmp, options);
+      continue_from_file();
     } catch (const std::invalid_argument &refusal) {
       throw OptionError(std::string("fix ") + id + " fluid/ib: " + refusal.what());
     }
   });
 }
 
+/// What the scene's restart file holds of a fluid, if this one comes before its first run.
+void FixFluidIb::continue_from_file()
+{
+  const FixCheckpoint *checkpoint = find_checkpoint(lmp);
+  if (!checkpoint || checkpoint->source().fluid_end <= checkpoint->source().fluid_begin) return;
+  const CheckpointFile &file = checkpoint->source();
+  partner_->load(file.name, file.fluid_begin, file.fluid_end);
+}
+
 void FixFluidIb::setup(int)
 {
+  run_end_ = update->laststep;
   const FixObjects *known = find_objects(lmp);
   if (known) known->require_whole_objects(*this);
   require_same_step();
@@ -118,10 +132,16 @@ void FixFluidIb::setup(int)
 void FixFluidIb::pre_initial_integrate()
 {
   require_same_step();
-  if (dem_step_ > 0) return;
+  if (first_dem_step()) begin_step();
+  if (last_dem_step()) stop_.look();
+}
+
+void FixFluidIb::begin_step()
+{
   dt_ = update->dt;
   dem_steps_ = 1;
   dem_steps_ = partner_->choose_dem_steps(dt_, script_->options().cfl > 0.0 ? drive() : FluidDrive{});
+  if (chooses_steps()) dem_steps_ = up_to_next_stop(dem_steps_);
   // Ghosts lag half a step behind in velocity. All ranks take part, those without ghosts too.
   comm->forward_comm();
   carried_->do_forward_comm();
@@ -131,6 +151,17 @@ void FixFluidIb::pre_initial_integrate()
   partner_->begin_step(objects(), now, dem_steps_);
   law_->do_forward_comm();
   partner_->complete_law(objects_, now);
+}
+
+/// A fluid step whose length is free ends with the run (those with 'pre no' go on with one), and where a restart file is due: the last two before that are of a length.
+int FixFluidIb::up_to_next_stop(int dem_steps) const
+{
+  const bigint begin = update->ntimestep - 1;
+  bigint left = run_end_ - begin;
+  // LIGGGHTS names the step after the run where no file is due.
+  if (const bigint file = next_restart(*output) - begin; file > 0 && !restart_lines(*output).empty()) left = left > 0 ? std::min(left, file) : file;
+  if (left <= 0 || left >= 2 * dem_steps) return dem_steps;
+  return left <= dem_steps ? static_cast<int>(left) : static_cast<int>((left + 1) / 2);
 }
 
 void FixFluidIb::note_outer_forces()
@@ -145,6 +176,7 @@ void FixFluidIb::end_of_step()
   dem_step_ = 0;
   whole_steps_++;
   partner_->finish_step(objects());
+  stop_.end_run_if_agreed();
   reported_step_ = -1;
 }
 

@@ -8,6 +8,7 @@
 #include "fluid_partner.h"
 #include "fluid_script.h"
 #include "phase_line.h"
+#include "stop_request.h"
 
 namespace LAMMPS_NS {
 
@@ -36,6 +37,9 @@ class FixFluidIb : public Fix {
   /// Between begin and end of a DEM step: whether it is the first, or the last, of its fluid step.
   bool first_dem_step() const { return dem_step_ == 0; }
   bool last_dem_step() const { return dem_step_ + 1 == dem_steps_; }
+  int dem_step() const { return dem_step_; }  ///< between two: how many of the fluid step under way have been made; 0: none is under way
+  int dem_steps_per_step() const { return script_->options().cfl > 0.0 ? dem_steps_ : script_->options().dem_steps_per_fluid_step; }
+  bool chooses_steps() const { return script_->options().cfl > 0.0; }
   bigint whole_steps() const { return whole_steps_; }
   /// In LIGGGHTS' order: xlo, xhi, ylo, yhi.
   swellflow::SideKind side(int k) const { return script_->options().sides[k]; }
@@ -50,6 +54,9 @@ class FixFluidIb : public Fix {
   const class FixSwell *inflating_swell() const;
   void warn_without_resistance();
   void make_partner();
+  void continue_from_file();
+  int up_to_next_stop(int dem_steps) const;
+  void begin_step();
   void note_outer_forces();
   const std::vector<swellflow::ObjectPoints> &objects();
   swellflow::FluidDrive drive();
@@ -62,6 +69,7 @@ class FixFluidIb : public Fix {
   FixPropertyAtom *law_ = nullptr, *impulse_ = nullptr, *carried_ = nullptr;
   std::vector<swellflow::ObjectPoints> objects_;
   PhaseLine phases_;
+  StopRequest stop_;
   double dt_ = 0.0;     // DEM step of the fluid step under way
   int dem_steps_ = 1;   // in the fluid step under way
   int dem_step_ = 0;    // within the fluid step; 0: none is under way
@@ -69,6 +77,7 @@ class FixFluidIb : public Fix {
   bool warned_ = false;
   swellflow::FluidReport report_;
   bigint reported_step_ = -1;
+  bigint run_end_ = -1;  // of the last run that was set up
 };
 
 /// The fluid of a scene, or null.

@@ -95,8 +95,9 @@ void FixFluidScalar::require_place()
 
 void FixFluidScalar::make_scalar()
 {
-  fluid_->partner()->add_scalar({.name = id, .diffusivity = script_.diffusivity(), .sides = script_.sides(), .initial = script_.initial(lmp)});
+  const bool continued = fluid_->partner()->add_scalar({.name = id, .diffusivity = script_.diffusivity(), .sides = script_.sides(), .initial = script_.initial(lmp)});
   followed_ = fluid_->whole_steps();
+  if (continued) return;
   for (int i = 0; i < atom->nlocal; i++) std::fill_n(points()[i], static_cast<int>(N_COLUMNS), 0.0);
 }
 

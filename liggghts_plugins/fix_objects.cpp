@@ -27,6 +27,7 @@ FixObjects::FixObjects(LAMMPS *lmp, int narg, char **arg) :
     error->fix_error(FLERR, this, "this fix is made by create_objects, under the id 'objects': remove it from the script");
   nevery = 1;
   comm_forward = 3;
+  restart_global = 1;
   radius_cap_.assign(atom->ntypes + 1, 0.0);
 }
 

@@ -55,6 +55,8 @@ class FixObjects : public Fix {
   void post_create() override;
   void init() override;
   void setup_pre_exchange() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
   void setup_pre_neighbor() override;
   void setup(int) override;
   void setup_pre_force(int) override;

@@ -12,6 +12,7 @@
 #include "compute.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_checkpoint.h"
 #include "fix_objects.h"
 #include "force.h"
 #include "modify.h"
@@ -245,7 +246,32 @@ void FixObjects::setup_pre_exchange()
   MPI_Allreduce(MPI_IN_PLACE, counts_.data(), N_COUNTS, MPI_LMP_BIGINT, MPI_SUM, world);
   Extents largest = extents_of_unwrapped_objects();
   require_sane(largest);
-  widen_cutoffs(largest[REACH].value);
+  // A run that goes on has had its cut-offs for this step; here they are measured in another way.
+  const FixCheckpoint *checkpoint = find_checkpoint(lmp);
+  if (!checkpoint || !checkpoint->continues()) widen_cutoffs(largest[REACH].value);
+}
+
+/* ----------------------------------------------------------------------
+   Bins, and with them the order in which contacts are summed up, follow
+   from cut-offs that were widened in the past
+------------------------------------------------------------------------- */
+
+void FixObjects::write_restart(FILE *fp)
+{
+  if (comm->me != 0) return;
+  std::vector<double> state = {static_cast<double>(radius_cap_.size()), ghost_reach_};
+  state.insert(state.end(), radius_cap_.begin(), radius_cap_.end());
+  const int size = static_cast<int>(state.size() * sizeof(double));
+  fwrite(&size, sizeof size, 1, fp);
+  fwrite(state.data(), sizeof(double), state.size(), fp);
+}
+
+void FixObjects::restart(char *buffer)
+{
+  const auto *state = reinterpret_cast<const double *>(buffer);
+  if (static_cast<std::size_t>(state[0]) != radius_cap_.size()) return;
+  ghost_reach_ = state[1];
+  std::copy_n(state + 2, radius_cap_.size(), radius_cap_.begin());
 }
 
 void FixObjects::pre_exchange()

@@ -1,11 +1,14 @@
 #include "fix_prescribed.h"
 
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <string>
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
+#include "fix_checkpoint.h"
 #include "fix_fluid_ib.h"
 #include "fix_objects.h"
 #include "fix_swell.h"
@@ -39,6 +42,7 @@ FixPrescribed::FixPrescribed(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
     options.parse(line);
   });
   time_integrate = 1;
+  restart_global = 1;
   vector_flag = 1;
   size_vector = N_VALUES;
   global_freq = 1;
@@ -74,7 +78,8 @@ void FixPrescribed::setup(int)
 {
   objects_->require_whole_objects(*this);
   motion_ = motion_now();
-  advance(0.0, 0.0, 0.0);
+  const FixCheckpoint *checkpoint = find_checkpoint(lmp);
+  if (!checkpoint || !checkpoint->continues()) advance(0.0, 0.0, 0.0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -200,7 +205,7 @@ const FixPrescribed::Values &FixPrescribed::values()
   if (values_known_) return values_;
   values_ = {0.0, 0.0, 0.0, motion_.vx, motion_.vy, motion_.spin};
   const FixFluidIb *fluid = find_fluid(lmp);
-  if (!fluid || fluid->whole_steps() == 0 || last_.duration == 0.0) return values_;
+  if (!fluid || (fluid->whole_steps() == 0 && !restored_) || last_.duration == 0.0) return values_;
   values_known_ = true;
 
   double sums[5] = {last_.impulse[0], last_.impulse[1], last_.angular_impulse, 0.0, 0.0};
@@ -222,3 +227,28 @@ const FixPrescribed::Values &FixPrescribed::values()
 }
 
 double FixPrescribed::compute_vector(int n) { return values()[n]; }
+
+/* ----------------------------------------------------------------------
+   what the last fluid step did, so that a run that goes on shows it
+------------------------------------------------------------------------- */
+
+void FixPrescribed::write_restart(FILE *fp)
+{
+  Account sum = last_;
+  double parts[3] = {last_.impulse[0], last_.impulse[1], last_.angular_impulse}, sums[3];
+  MPI_Allreduce(parts, sums, 3, MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me != 0) return;
+  std::copy_n(sums, 2, sum.impulse);
+  sum.angular_impulse = sums[2];
+  const int size = sizeof sum;
+  fwrite(&size, sizeof size, 1, fp);
+  fwrite(&sum, sizeof sum, 1, fp);
+}
+
+void FixPrescribed::restart(char *buffer)
+{
+  memcpy(&last_, buffer, sizeof last_);
+  restored_ = true;
+  if (comm->me == 0) return;
+  last_.impulse[0] = last_.impulse[1] = last_.angular_impulse = 0.0;
+}

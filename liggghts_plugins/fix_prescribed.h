@@ -21,6 +21,8 @@ class FixPrescribed : public Fix {
   void setup(int) override;
   void initial_integrate(int) override;
   void final_integrate() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
   double compute_vector(int) override;
 
  private:
@@ -50,7 +52,7 @@ class FixPrescribed : public Fix {
   Motion motion_;               // as of the present step
   Account under_way_, last_;    // fluid steps
   Values values_{};
-  bool values_known_ = false;
+  bool values_known_ = false, restored_ = false;
 };
 
 }  // namespace LAMMPS_NS

@@ -10,6 +10,7 @@
 #include "contact_forces.h"
 #include "error.h"
 #include "fix_fluid_scalar.h"
+#include "fix_checkpoint.h"
 #include "fix_objects.h"
 #include "neighbor.h"
 #include "object_geometry.h"
@@ -116,7 +117,9 @@ void FixSwell::setup_pre_force(int)
 void FixSwell::setup(int)
 {
   objects_->require_whole_objects(*this);
-  if (script_.slowed_by_load()) measure_speeds();
+  if (!script_.slowed_by_load()) return;
+  if (auto *file = find_checkpoint(lmp); file && file->continues()) file->restore_forces();  // fixes that make some stand above this one
+  measure_speeds();
 }
 
 /* ----------------------------------------------------------------------

@@ -90,7 +90,7 @@ class FixSwell : public Fix {
 
   swellflow::SwellScript script_;
   double variable_value_, variable_before_; // of this step and the last
-  double least_variable_;                   // which it must be larger than this, or an object would vanish:
+  double least_variable_;                   // which it must be above, or an object would vanish:
   int least_object_;
   swellflow::SwellingClock clock_;
   bool restored_;

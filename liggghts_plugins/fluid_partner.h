@@ -151,10 +151,14 @@ public:
   /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Collective.
   virtual void finish_step(const std::vector<ObjectPoints> &objects) = 0;
   virtual FluidReport report() = 0;  ///< of the last whole fluid step; collective
-  /// Another field that the fluid carries, which it keeps. Collective.
-  virtual void add_scalar(const ScalarOptions &) = 0;
+  /// Another field that the fluid carries, which it keeps; whether it goes on as it was in the file that the fluid was loaded from. Collective.
+  virtual bool add_scalar(const ScalarOptions &) = 0;
   virtual void remove_scalar(const std::string &name) = 0;
   virtual ScalarPartner *scalar(const std::string &name) = 0;  ///< null when there is none
+  /// Appends its state between two steps to a file, which rank 0 writes. Throws std::runtime_error on all ranks when it cannot. Collective.
+  virtual void save(const std::string &file) = 0;
+  /// Takes it from there, bytes `begin` to `end`, before the first step. Throws std::invalid_argument when that was another fluid. Collective.
+  virtual void load(const std::string &file, long begin, long end) = 0;
   virtual FieldBlock field_block() const = 0;
   virtual std::vector<FieldInfo> fields() const = 0;
   virtual void copy_field(const std::string &name, std::vector<double> &values) const = 0;  ///< components interleaved

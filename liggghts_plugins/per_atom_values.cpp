@@ -9,7 +9,7 @@ using namespace LAMMPS_NS;
 
 FixPropertyAtom *LAMMPS_NS::add_per_atom_values(LAMMPS *lmp, const std::string &name, int columns, bool on_ghosts)
 {
-  std::vector<const char *> words = {name.c_str(), "all", "property/atom", name.c_str(), "vector", "no", on_ghosts ? "yes" : "no", "no"};
+  std::vector<const char *> words = {name.c_str(), "all", "property/atom", name.c_str(), "vector", "yes", on_ghosts ? "yes" : "no", "no"};
   words.resize(words.size() + columns, "0");
   std::vector<char *> arguments;
   for (const char *word : words) arguments.push_back(const_cast<char *>(word));

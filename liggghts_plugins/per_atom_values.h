@@ -8,7 +8,7 @@ namespace LAMMPS_NS {
 class FixPropertyAtom;
 class LAMMPS;
 
-/// A fix property/atom of that name, its columns zero, which a restart file does not hold. For post_create. Collective.
+/// A fix property/atom of that name, its columns zero or as a restart file has them. For post_create. Collective.
 FixPropertyAtom *add_per_atom_values(LAMMPS *lmp, const std::string &name, int columns, bool on_ghosts);
 
 }  // namespace LAMMPS_NS

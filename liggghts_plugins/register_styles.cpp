@@ -7,8 +7,11 @@
 #include <map>
 #include <stdexcept>
 
+#include "checkpoint_commands.h"
+#include "checkpoint_file.h"
 #include "create_objects.h"
 #include "fix.h"
+#include "fix_checkpoint.h"
 #include "fix_fluid_ib.h"
 #include "fix_fluid_scalar.h"
 #include "fix_lubrication_cds.h"
@@ -63,6 +66,7 @@ const FixMap &fix_styles()
 {
   static const FixMap styles = {
     {"objects", create_fix<FixObjects>},
+    {"checkpoint", create_fix<FixCheckpoint>},
     {"mass_spring", create_fix<FixMassSpring>},
     {"swell", create_fix<FixSwell>},
     {"nve/cds", create_nve_cds},
@@ -118,6 +122,8 @@ public:
       stock_[name] = command_map->at(name);
       (*command_map)[name] = with_fix_styles;
     }
+    stock_["write_restart"] = command_map->at("write_restart");
+    (*command_map)["write_restart"] = write_restart;
   }
 
   /// Variables and echo settings of the command line live in the reader that LIGGGHTS made when it started.
@@ -134,6 +140,11 @@ public:
 
 private:
   static void with_fix_styles(LAMMPS *lmp, int narg, char **arg);
+  static void write_restart(LAMMPS *lmp, int narg, char **arg);
+  StockCommand stock(LAMMPS *lmp) const
+  {
+    return [lmp, own = stock_.at(command)](int narg, char **arg) { own(lmp, narg, arg); };
+  }
 
   Factories factories_;
   std::map<std::string, CommandCreator> stock_;
@@ -150,7 +161,20 @@ void ScriptReader::with_fix_styles(LAMMPS *lmp, int narg, char **arg)
 {
   add_fix_styles(lmp);
   auto *reader = dynamic_cast<ScriptReader *>(lmp->input);
-  reader->stock_.at(reader->command)(lmp, narg, arg);
+  if (std::strcmp(reader->command, "read_restart") == 0) return read_checkpoint(lmp, narg, arg, reader->stock(lmp));
+  reader->stock(lmp)(narg, arg);
+  make_checkpoint(lmp);
+}
+
+void ScriptReader::write_restart(LAMMPS *lmp, int narg, char **arg)
+{
+  write_checkpoint(lmp, narg, arg, dynamic_cast<ScriptReader *>(lmp->input)->stock(lmp));
+}
+
+/// LIGGGHTS left room behind its text.
+void mark_version(Universe &universe)
+{
+  if (!std::strstr(universe.version, version_mark)) std::strcat(universe.version, version_mark);
 }
 
 const Factories &factories_of(LAMMPS *lmp)
@@ -163,7 +187,7 @@ std::vector<std::string> names(const Map &map)
 {
   std::vector<std::string> result;
   for (const auto &entry : map)
-    if (entry.first != "objects") result.push_back(entry.first);
+    if (entry.first != "objects" && entry.first != "checkpoint") result.push_back(entry.first);
   return result;
 }
 
@@ -172,6 +196,7 @@ std::vector<std::string> names(const Map &map)
 void register_styles(LAMMPS *lmp, const Factories &factories)
 {
   check_version(*lmp->universe);
+  mark_version(*lmp->universe);
   if (auto *reader = dynamic_cast<ScriptReader *>(lmp->input)) {
     reader->set_factories(factories);
   } else {

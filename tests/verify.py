@@ -82,6 +82,11 @@ def flow_arrays():
     return all_of("arrays", [("square_array", f"phi{phi}", {"phi": phi}) for phi in (0.05, 0.1, 0.3, 0.5)])
 
 
+def random_arrays():
+    return all_of("random_arrays", [("random_array", f"phi{phi}_seed{seed}", {"phi": phi, "seed": seed}) for phi in (0.1, 0.3, 0.5) for seed in (1, 2, 3)]
+                                   + [("random_array", "phi0.5_cells40", {"phi": 0.5, "cells": 40})])
+
+
 def flow_stokes_channel():
     return all_of("stokes_channel", [("stokes_channel", f"{setting}_{k}", {"setting": setting, "k": k})
                                      for setting, k in (("inflow", 0.1), ("inflow", 0.25), ("inflow", 0.5), ("periodic", 0.25), ("moving", 0.25))])
@@ -172,6 +177,7 @@ PARTS = {
     "flow_cavity": (flow_cavity, "lid-driven cavity, Re 10 to 1000, against published extrema"),
     "flow_channel": (flow_channel, "Poiseuille and Couette, driven in every way, along x and along y"),
     "flow_arrays": (flow_arrays, "creeping flow through square arrays of discs, with refinement and time steps"),
+    "random_arrays": (random_arrays, "permeability of discs at random places, against the exact one of the same places"),
     "taylor_dispersion": (taylor_dispersion, "dye in a channel spreads at the exact rate"),
     "flow_stokes_channel": (flow_stokes_channel, "creeping flow around a cylinder between walls"),
     "shear_rotation": (shear_rotation, "free discs in creeping shear turn at the exact rate"),

@@ -25,11 +25,15 @@ def exponential_integral(x):
     return np.where(x <= 2.0, series, np.exp(-large) / (large + fraction))
 
 
+TABLE = np.linspace(1e-9, SPLIT**2, 200001)
+SMOOTH = exponential_integral(TABLE) + np.log(TABLE)  # E1 without its logarithm: straight lines between these are exact to 1e-8
+
+
 def near_part(dx, dy, xi):
     """(1 / 4 pi) ((E1 / 2 - e) 1 + e rr / r^2), e = exp(-xi^2 r^2), as xx, xy, yy."""
     squared = dx * dx + dy * dy
     t = np.maximum(xi * xi * squared, 1e-300)
-    e, half = np.exp(-t), 0.5 * exponential_integral(t)
+    e, half = np.exp(-t), 0.5 * (np.interp(t, TABLE, SMOOTH) - np.log(t))
     over = 1.0 / np.maximum(squared, 1e-300)
     return [(half - e + e * dx * dx * over) / (4 * np.pi), e * dx * dy * over / (4 * np.pi), (half - e + e * dy * dy * over) / (4 * np.pi)]
 
@@ -85,6 +89,10 @@ def permeability(centres, R, L, n=48):
     xx, xy, yy = (near + smooth for near, smooth in zip(parts, smooth_part(x, y, L, xi)))
     ones, zeros = np.ones(len(x)), np.zeros(len(x))
     flow = np.column_stack([np.concatenate([ones, zeros]), np.concatenate([zeros, ones])])
-    forces = np.linalg.lstsq(np.block([[xx, xy], [xy, yy]]), flow, rcond=1e-12)[0]
+    # A pressure on all of a rim moves nothing: that part of the forces is free, and is kept out.
+    normal = np.zeros((2 * len(x), discs))
+    for k in range(discs):
+        normal[k * n:(k + 1) * n, k], normal[len(x) + k * n:len(x) + (k + 1) * n, k] = np.cos(angle), np.sin(angle)
+    forces = np.linalg.solve(np.block([[xx, xy], [xy, yy]]) + normal @ normal.T / n, flow)
     drag = np.array([forces[:len(x)].sum(axis=0), forces[len(x):].sum(axis=0)])
     return np.linalg.inv(drag / L**2)

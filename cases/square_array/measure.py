@@ -25,5 +25,10 @@ def drive(run):
     return along(run, histories.History(run), "drive_x", "drive_y")
 
 
+def permeability(run, drag):
+    """Darcy's, over the square of the diameter: mu U L^2 / F = 1 / F, and D^2 = 4 phi / pi."""
+    return math.pi / (4 * run.variables["phi"] * drag)
+
+
 def published(run):
     return next((row["exact"] for row in run.reference if row["phi"] == run.variables["phi"]), None)

@@ -6,7 +6,8 @@
 
 namespace swellflow {
 
-/// Hard bodies by the rule of Metropolis, Rosenbluth, Rosenbluth, Teller and Teller, J. Chem. Phys. 21, 1087 (1953): in each sweep each is moved (and turned) a little, if it then overlaps nothing.
+/// Hard bodies by the rule of Metropolis, Rosenbluth, Rosenbluth, Teller and Teller, J. Chem. Phys. 21, 1087 (1953): in each sweep each is moved (and turned) a little, if it
+/// then overlaps nothing.
 void shake(PackedBodies &bodies, int sweeps, RandomNumbers &random);
 
 }  // namespace swellflow

@@ -54,7 +54,9 @@ public:
     report.force_of_growth = {17.0, 18.0, 0.0};
     return report;
   }
-  void add_scalar(const swellflow::ScalarOptions &) override {}
+  void save(const std::string &) override {}
+  void load(const std::string &, long, long) override {}
+  bool add_scalar(const swellflow::ScalarOptions &) override { return false; }
   void remove_scalar(const std::string &) override {}
   swellflow::ScalarPartner *scalar(const std::string &) override { return nullptr; }
   swellflow::FieldBlock field_block() const override { return {}; }

@@ -68,13 +68,29 @@ TEST(FluidFix, TheFluidChoosesTheNumberOfDemSteps)
   scene.talk.dem_steps = {3, 5, 1};
   scene.script("variable count equal step\n");
   make_scene(scene, "every 6 cfl 0.5 body_force v_count 0");
-  scene.script("run 5\nrun 7\n");  // 3 + 5 + 1 + 3
+  scene.script("run 12\n");  // 3 + 5 + 1 + 3
   EXPECT_EQ(scene.talk.options.cfl, 0.5);
   EXPECT_EQ(scene.talk.options.dem_steps_per_fluid_step, 6);
   EXPECT_EQ(scene.talk.begun, (std::vector<int>{3, 5, 1, 3}));
   EXPECT_EQ(scene.talk.received.size(), 4u);
   const double ends[] = {3, 8, 9, 12};
   for (int n = 0; n < 4; n++) EXPECT_EQ(scene.talk.drives[n].body_force[0], ends[n]);
+}
+
+/// Where there is a choice, no fluid step reaches beyond the end of a run, or a restart file; the last two before it are of a length.
+TEST(FluidFix, ChosenStepsEndWithTheRun)
+{
+  FakeFluidScene scene;
+  scene.talk.dem_steps = {5};
+  make_scene(scene, "every 6 cfl 0.5");
+  scene.script("run 4\nrun 13\nrun 10\n");
+  EXPECT_EQ(scene.talk.begun, (std::vector<int>{4, 5, 4, 4, 5, 5}));
+  scene.talk.begun.clear();
+  const std::string file = "chosen_" + std::to_string(ranks()) + ".restart";
+  scene.script("restart 9 " + file + " " + file + "\nrun 9\n");  // from step 27; a file at 36
+  EXPECT_EQ(scene.talk.begun, (std::vector<int>{5, 4}));
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (rank() == 0) std::remove(file.c_str());
 }
 
 TEST(FluidFix, PressureFallsOverThePeriodicBox)

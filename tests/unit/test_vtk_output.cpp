@@ -46,7 +46,9 @@ public:
         else
           for (double component : velocity(i, j)) values.push_back(component);
   }
-  void add_scalar(const ScalarOptions &) override {}
+  void save(const std::string &) override {}
+  void load(const std::string &, long, long) override {}
+  bool add_scalar(const ScalarOptions &) override { return false; }
   void remove_scalar(const std::string &) override {}
   ScalarPartner *scalar(const std::string &) override { return nullptr; }
   std::vector<PhaseTime> phase_times() const override { return {}; }
