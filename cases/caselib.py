@@ -33,9 +33,10 @@ def results():
     return (Path.cwd() if INSTALLED else CASES.parent) / "results"
 
 
-def mpi_environment(grace=5):
-    """Root may run; ranks may outnumber cores, so an idle one yields and none is bound. `grace`: the seconds that ranks
-    have to save their state between a signal and their end; mpirun waits as long after every error."""
+def mpi_environment(grace=1):
+    """Root may run; ranks may outnumber cores, so an idle one yields and none is bound. `grace`: the seconds that mpirun waits
+    after an error, or a SIGTERM or SIGINT to itself, before it sends ranks SIGTERM, and again before it kills them; a SIGUSR2
+    to mpirun leaves them their time."""
     return {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
             "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
             "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_odls_base_sigkill_timeout": str(grace),

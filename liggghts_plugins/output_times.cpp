@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "comm.h"
+#include "fix_checkpoint.h"
 #include "lammps.h"
 #include "update.h"
 
@@ -10,9 +11,12 @@ using namespace LAMMPS_NS;
 
 bool OutputTimes::begin_run(int every)
 {
-  if (restart_time_ >= 0.0) offset_ = restart_time_ - lmp_->update->get_cur_time();
+  const bool restored = restart_time_ >= 0.0;
+  if (restored) offset_ = restart_time_ - lmp_->update->get_cur_time();
   restart_time_ = -1.0;
-  return last_step_ < 0 || lmp_->update->ntimestep % every == 0;
+  const FixCheckpoint *checkpoint = find_checkpoint(lmp_);
+  if (restored && checkpoint && checkpoint->continues()) last_step_ = lmp_->update->ntimestep;  // the run before wrote what was due
+  return (last_step_ < 0 && !restored) || lmp_->update->ntimestep % every == 0;
 }
 
 bool OutputTimes::take_step()

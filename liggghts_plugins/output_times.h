@@ -13,7 +13,8 @@ class OutputTimes {
  public:
   explicit OutputTimes(LAMMPS *lmp) : lmp_(lmp) {}
 
-  /// To be called in setup(). Whether something is due before the first step: when the first run begins, and on multiples of `every`.
+  /// To be called in setup(). Whether something is due before the first step: when the first run begins, and on multiples of `every`;
+  /// not within a run that goes on from a restart file, since the one before has written it.
   bool begin_run(int every);
   /// Whether nothing has been written at this step yet; from then on it has. A run that starts where the last one ended meets the same step twice.
   bool take_step();
