@@ -165,6 +165,12 @@ def package():
     return subprocess.run([str(ROOT / "tests" / "debian_package.sh"), str(FOLDER / "bare_debian"), str(made)], stdin=subprocess.DEVNULL).returncode
 
 
+def kills():
+    """As the test, but 200 kills."""
+    environment = {**os.environ, "SWELLFLOW_KILLS": "200", "SWELLFLOW_PROGRAM": str(caselib.program()), "PYTHONPATH": f"{ROOT / 'cases'}:{ROOT / 'tests'}"}
+    return subprocess.run([sys.executable, "-B", "-m", "unittest", "-v", "test_kills.Kills"], cwd=ROOT / "tests" / "robustness", env=environment, stdin=subprocess.DEVNULL).returncode
+
+
 PARTS = {
     "cavity_stiff": (cavity_stiff, "the paper's cavity with k_s = 1000, to t = 110"),
     "cavity_soft": (cavity_soft, "the paper's cavity with k_s = 100, to t = 110"),
@@ -188,6 +194,7 @@ PARTS = {
     "flow_cylinder_shedding": (flow_cylinder_shedding, "cylinder in a stream, Re 100, 32 cells across it"),
     "swelling_clock": (swelling_clock, "a faster clock of swelling leaves results as they are within what its measures promise"),
     "decomposition": (decomposition, "objects that cross, touch and rub end alike on every grid of 1 to 4 ranks, by each integrator"),
+    "kills": (kills, "a run that is killed 200 times ends as the unbroken one, to the last bit"),
     "package": (package, "the .deb is installed by apt in a bare Debian 12, runs cases there, and is removed"),
 }
 
