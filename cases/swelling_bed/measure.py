@@ -8,6 +8,8 @@ import numpy as np
 import caselib
 from histories import History
 
+SETTLED = (0.3, 0.5)  # shares of the run between which the bed has packed under the flow and little has swollen
+END = (0.9, 1.0)
 LAYERS = ("lower", "middle", "upper")  # thirds of the beads, by the height at which they were made
 LAYER_VALUES = {"swelling_ratio": "natural swelling ratio", "contact_pressure [Pa]": "contact pressure [Pa]", "aspect_ratio": "aspect ratio",
                 "diameter_of_area [m]": "diameter [m]", "uptake [m^2]": "uptake [m^2]", "concentration": "concentration", "area_ratio": "area over natural area"}
@@ -17,6 +19,11 @@ def chord_area(radius, height):
     """Area of a disc below a line that is `height` above its centre."""
     s = np.clip(height / radius, -1.0, 1.0)
     return radius**2 * (math.pi / 2 + np.arcsin(s) + s * np.sqrt(1.0 - s**2))
+
+
+def within(times, begin, end):
+    share = times / times[-1]
+    return (share > begin) & (share <= end + 1e-9)
 
 
 class Bed:
@@ -34,16 +41,13 @@ class Bed:
         self.layer = np.argsort(np.argsort(heights[0])) * len(LAYERS) // self.beads
         self.radius = np.sqrt(self.value("area [m^2]") / math.pi)
         self.top, self.bottom = (heights + self.radius).max(axis=1), (heights - self.radius).min(axis=1)
-        # What `head` of the script is: the gradient times the height of the bed that was asked for.
-        made = v["beads"] * math.pi / 4 * v["diameter"]**2 * (1 + v["spread"]**2) / (v["fraction"] * self.width)
-        self.head = v["gradient"] * made
+        made = caselib.read_csv(run.folder / "bed.csv")[0]
+        self.head, self.grids = made["head"], (made["lower_grid"], made["upper_grid"])
 
     def escaped(self):
         """Beads that are not between the grids at the end."""
-        v, y = self.run.variables, self.value("centroid_y [m]")[-1]
-        lower = 2.5 * v["diameter"]
-        upper = lower + v["diameter"] + self.head / v["gradient"]
-        return int(((y < lower) | (y > upper)).sum())
+        y = self.value("centroid_y [m]")[-1]
+        return int(((y < self.grids[0]) | (y > self.grids[1])).sum())
 
     def value(self, name):
         return self.columns[name].reshape(-1, self.beads)
@@ -67,10 +71,23 @@ class Bed:
         """Superficial velocity, mean over the interval about a time."""
         return float(np.interp(time, self.history.time, self.history["superficial_velocity"]))
 
+    def frames(self, begin, end):
+        """Those between two shares of the run, as means over them are taken: single values tremble as beads shift."""
+        return np.flatnonzero(within(self.times, begin, end))
+
+    def mean_flow(self, begin, end):
+        return float(self.history["superficial_velocity"][within(self.history.time, begin, end)].mean())
+
+    def choking(self):
+        """Mean flow at the end over that of the settled bed."""
+        return self.mean_flow(*END) / self.mean_flow(*SETTLED)
+
+    def mean_permeability(self, begin, end):
+        return float(np.mean([self.permeability(k) for k in self.frames(begin, end)]))
+
     def permeability(self, frame):
         """Darcy: mu U L / head, L the height of the bed; the grids and the free water take next to nothing of the head."""
-        viscosity = 1e-3  # of the script: density 1000, kinematic 1e-6
-        return viscosity * self.flow(self.times[frame]) * (self.top[frame] - self.bottom[frame]) / self.head
+        return self.run.variables["viscosity"] * self.flow(self.times[frame]) * (self.top[frame] - self.bottom[frame]) / self.head
 
     def write_layers(self, path):
         """One line a time and layer."""
