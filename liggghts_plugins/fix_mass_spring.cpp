@@ -162,7 +162,7 @@ const swellflow::SpringSet &FixMassSpring::springs_of(const ObjectPoints &object
   const swellflow::SpringScale scale = scale_of(object);
   springs_ = natural_springs(object);
   for (auto *springs : {&springs_.ring, &springs_.spokes})
-    for (auto &spring : *springs) spring = scale * spring;
+    for (int k = 0; k < springs->size(); k++) springs->set(k, scale * (*springs)[k]);
   return springs_;
 }
 
@@ -190,8 +190,8 @@ void FixMassSpring::find_natural_springs(const ObjectPoints &object, swellflow::
   springs.spokes.resize(hub[SPOKES] != 0.0 ? object.n_ring : 0);
   for (int k = 0; k < object.n_ring; k++) {
     const double *a = points[object.ring[k]], *b = points[object.ring[k + 1 < object.n_ring ? k + 1 : 0]];
-    springs.ring[k] = law_.natural(a[RING_LENGTH], a[MASS], b[MASS]);
-    if (springs.has_spokes()) springs.spokes[k] = law_.natural(a[SPOKE_LENGTH], a[MASS], hub[MASS]);
+    springs.ring.set(k, law_.natural(a[RING_LENGTH], a[MASS], b[MASS]));
+    if (springs.has_spokes()) springs.spokes.set(k, law_.natural(a[SPOKE_LENGTH], a[MASS], hub[MASS]));
   }
 }
 
@@ -204,9 +204,9 @@ swellflow::SpringScale FixMassSpring::scale_of(const ObjectPoints &object) const
 }
 
 /* ----------------------------------------------------------------------
-   f(own point i, force of its springs, of its dashpots). A point may be
-   here as an image while its own atom lies at the other side of a periodic
-   box.
+   f(own point i, its number k in the object): forces_ has the forces of
+   that object. A point may be here as an image while its own atom lies at
+   the other side of a periodic box.
 ------------------------------------------------------------------------- */
 
 template <typename F>
@@ -214,35 +214,35 @@ void FixMassSpring::for_each_force(bool with_dashpots, const F &f) const
 {
   for (const ObjectPoints &object : objects_->objects()) {
     if (!gives_forces_to(object)) continue;
-    forces_.resize(object.n_ring + 1);
+    forces_.resize(object.n_ring);
     const auto point = [&object](int k) { return k < object.n_ring ? object.ring[k] : object.hub; };
     for (int k = 0; k <= object.n_ring; k++) {
-      const double *x = atom->x[point(k)], *v = atom->v[point(k)];
-      forces_.x[k] = {x[0], x[1]};
-      if (with_dashpots) forces_.v[k] = {v[0], v[1]};
+      forces_.set_place(k, atom->x[point(k)]);
+      if (with_dashpots) forces_.set_velocity(k, atom->v[point(k)]);
     }
     forces_.find(natural_springs(object), scale_of(object), with_dashpots);
     for (int k = 0; k <= object.n_ring; k++)
-      if (const int own = objects_->own_index(point(k)); own >= 0) f(own, forces_.spring[k], forces_.dashpot[k]);
+      if (const int own = objects_->own_index(point(k)); own >= 0) f(own, k);
   }
 }
 
-/// The dashpots' forces are kept where they are wanted.
+/// The dashpots' forces are kept where they are wanted, and added after those of the springs, as a run does that begins with what was kept.
 void FixMassSpring::add_forces(bool with_dashpots)
 {
   double **f = atom->f, **kept = with_dashpots ? dashpot_->array_atom : nullptr;
-  for_each_force(with_dashpots, [f, kept](int i, const Vector2 &spring, const Vector2 &dashpot) {
-    for (int d = 0; d < 2; d++) f[i][d] += spring[d];
-    if (!kept) return;
-    for (int d = 0; d < 2; d++) f[i][d] += kept[i][d] = dashpot[d];
+  for_each_force(with_dashpots, [f, kept, this](int i, int k) {
+    for (int d = 0; d < 2; d++) {
+      const double with_springs = f[i][d] + forces_.spring(d, k);
+      f[i][d] = kept ? with_springs + (kept[i][d] = forces_.dashpot(d, k)) : with_springs;
+    }
   });
   if (with_dashpots) dashpot_step_ = update->ntimestep;
 }
 
 void FixMassSpring::add_given(double *own_xy) const
 {
-  for_each_force(false, [own_xy](int i, const Vector2 &spring, const Vector2 &) {
-    for (int d = 0; d < 2; d++) own_xy[2 * i + d] += spring[d];
+  for_each_force(false, [own_xy, this](int i, int k) {
+    for (int d = 0; d < 2; d++) own_xy[2 * i + d] += forces_.spring(d, k);
   });
   if (!damped() || dashpot_step_ != update->ntimestep) return;
   for (int i = 0; i < atom->nlocal; i++)

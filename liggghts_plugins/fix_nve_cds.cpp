@@ -33,59 +33,71 @@ void FixNveCds::init()
   forget_what_is_ahead(lmp, *this);
 }
 
-void FixNveCds::initial_integrate(int)
-{
-  kick_half_a_step();
-  drift_a_step();
-}
+void FixNveCds::initial_integrate(int) { half_step<Part::kick_and_drift>(); }
 
-void FixNveCds::final_integrate() { kick_half_a_step(); }
+void FixNveCds::final_integrate() { half_step<Part::kick>(); }
 
 /* ---------------------------------------------------------------------- */
 
 double FixNveCds::mass_of(int i) const { return atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]]; }
 
-void FixNveCds::kick_half_a_step()
+/* ----------------------------------------------------------------------
+   kick and drift in one pass: beds do not fit into the cache
+------------------------------------------------------------------------- */
+
+template <FixNveCds::Part part>
+void FixNveCds::half_step()
 {
   std::optional<swellflow::StepClock::Scope> timing;
   FixObjects *objects = find_objects(lmp);
   if (objects) timing.emplace(objects->clock(), swellflow::StepClock::integration);
   double **law = fluid_columns(lmp, FluidLaw::NAME), **impulse = fluid_columns(lmp, FluidImpulse::NAME);
   const bool some_follow = objects && objects->some_follow_their_ring();
-  const double half_step = 0.5 * update->dt * force->ftm2v;
+  dt_ = update->dt;
+  half_step_ = 0.5 * dt_ * force->ftm2v;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || (some_follow && objects->follows_its_ring(i))) continue;
-    if (law && impulse)
-      kick_in_fluid(i, half_step, mass_of(i), law[i], impulse[i]);
-    else
-      kick(i, half_step, mass_of(i));
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (some_follow && objects->follows_its_ring(i)) {
+      if (part == Part::kick_and_drift) drift(i);
+    } else if (law && impulse) {
+      half_step_in_fluid<part>(i, mass_of(i), law[i], impulse[i]);
+    } else {
+      half_step_of<part>(i, mass_of(i));
+    }
   }
 }
 
-void FixNveCds::kick(int i, double half_step, double mass)
+template <FixNveCds::Part part>
+void FixNveCds::half_step_of(int i, double mass)
 {
-  const double per_mass = half_step / mass;
-  for (int d = 0; d < 3; d++) atom->v[i][d] += per_mass * atom->f[i][d];
+  const double per_mass = half_step_ / mass, dt = dt_, *f = atom->f[i];
+  double *v = atom->v[i], *x = atom->x[i];
+  for (int d = 0; d < 3; d++) {
+    const double v_new = v[d] + per_mass * f[d];
+    v[d] = v_new;
+    if (part == Part::kick_and_drift) x[d] += dt * v_new;
+  }
 }
 
 /* ----------------------------------------------------------------------
    m (v' - v) = dt/2 (f + a - kappa v'), the fluid's part summed up
 ------------------------------------------------------------------------- */
 
-void FixNveCds::kick_in_fluid(int i, double half_step, double mass, const double *law, double *impulse)
+template <FixNveCds::Part part>
+void FixNveCds::half_step_in_fluid(int i, double mass, const double *law, double *impulse)
 {
-  const double kappa = law[FluidLaw::KAPPA], *a = law + FluidLaw::A_X;
-  double *v = atom->v[i];
-  const double per_mass = 1.0 / (mass + half_step * kappa);
+  const double kappa = law[FluidLaw::KAPPA], *a = law + FluidLaw::A_X, *f = atom->f[i];
+  const double half_step = half_step_, dt = dt_, half_dt = 0.5 * dt, per_mass = 1.0 / (mass + half_step * kappa);
+  double *v = atom->v[i], *x = atom->x[i];
   for (int d = 0; d < 3; d++) {
-    v[d] = (mass * v[d] + half_step * (atom->f[i][d] + a[d])) * per_mass;
-    impulse[d] += 0.5 * update->dt * (a[d] - kappa * v[d]);
+    const double a_d = a[d], v_new = (mass * v[d] + half_step * (f[d] + a_d)) * per_mass;
+    v[d] = v_new;
+    impulse[d] += half_dt * (a_d - kappa * v_new);
+    if (part == Part::kick_and_drift) x[d] += dt * v_new;
   }
 }
 
-void FixNveCds::drift_a_step()
+void FixNveCds::drift(int i)
 {
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit)
-      for (int d = 0; d < 3; d++) atom->x[i][d] += update->dt * atom->v[i][d];
+  for (int d = 0; d < 3; d++) atom->x[i][d] += dt_ * atom->v[i][d];
 }

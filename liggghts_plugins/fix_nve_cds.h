@@ -15,11 +15,14 @@ class FixNveCds : public Fix {
   void final_integrate() override;
 
  private:
-  void kick_half_a_step();
-  void kick(int i, double half_step, double mass);
-  void kick_in_fluid(int i, double half_step, double mass, const double *law, double *impulse);
+  enum class Part { kick, kick_and_drift };
+  template <Part part> void half_step();
+  template <Part part> void half_step_of(int i, double mass);
+  template <Part part> void half_step_in_fluid(int i, double mass, const double *law, double *impulse);
+  void drift(int i);
   double mass_of(int i) const;
-  void drift_a_step();
+
+  double dt_ = 0.0, half_step_ = 0.0;  // the latter times what makes velocities of forces over masses
 };
 
 }  // namespace LAMMPS_NS

@@ -18,11 +18,45 @@ struct SpringScale {
   Spring operator*(const Spring &spring) const { return {length * spring.length, stiffness * spring.stiffness, dashpot * spring.dashpot}; }
 };
 
-struct SpringSet {
-  std::vector<Spring> ring;    ///< ring[k]: from ring point k to k + 1, the last to 0
-  std::vector<Spring> spokes;  ///< spokes[k]: from ring point k to the hub, whose number is that of ring points; empty: none
+/// Many springs, each property in a row of its own, as processors like it. Behind the last there is room that makes up whole blocks, with springs that do nothing.
+class SpringColumns {
+public:
+  static constexpr int block = 8;
 
-  int ring_points() const { return static_cast<int>(ring.size()); }
+  int size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  void resize(int n)
+  {
+    size_ = n;
+    for (auto *column : {&length_, &stiffness_, &dashpot_}) column->assign((n + block - 1) / block * block, 0.0);
+  }
+  void assign(int n, const Spring &spring)
+  {
+    resize(n);
+    for (int k = 0; k < n; ++k) set(k, spring);
+  }
+  void set(int k, const Spring &spring)
+  {
+    length_[k] = spring.length;
+    stiffness_[k] = spring.stiffness;
+    dashpot_[k] = spring.dashpot;
+  }
+  Spring operator[](int k) const { return {length_[k], stiffness_[k], dashpot_[k]}; }
+
+  const double *length() const { return length_.data(); }
+  const double *stiffness() const { return stiffness_.data(); }
+  const double *dashpot() const { return dashpot_.data(); }
+
+private:
+  int size_ = 0;
+  std::vector<double> length_, stiffness_, dashpot_;
+};
+
+struct SpringSet {
+  SpringColumns ring;    ///< ring[k]: from ring point k to k + 1, the last to 0
+  SpringColumns spokes;  ///< spokes[k]: from ring point k to the hub, whose number is that of ring points; empty: none
+
+  int ring_points() const { return ring.size(); }
   bool has_spokes() const { return !spokes.empty(); }
   /// Points that springs hold: the hub only when it has spokes.
   int held_points() const { return ring_points() + (has_spokes() ? 1 : 0); }

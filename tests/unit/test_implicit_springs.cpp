@@ -153,7 +153,7 @@ TEST_P(Energies, GiveTheAskedRestitutionToABondedPair)
   body.force.assign(3, Vector2::Zero());
   SpringSet springs;
   springs.ring.assign(3, Spring{.length = std::hypot(0.5, 2.0), .stiffness = 1e-9});
-  springs.ring[0] = {.length = 1.0, .stiffness = 100.0, .dashpot = dashpot_constant(damping_ratio(e), 100.0, 2.0, 0.5)};
+  springs.ring.set(0, {.length = 1.0, .stiffness = 100.0, .dashpot = dashpot_constant(damping_ratio(e), 100.0, 2.0, 0.5)});
   ImplicitSprings solver(GetParam());
   const std::vector<Vector2> none(3, Vector2::Zero());
   do ASSERT_TRUE(solver.advance(body, springs, none, dt));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "liggghts_plugins/objects/spring_forces.h"
 #include "liggghts_plugins/objects/vibrations.h"
 #include "ring_object.h"
 
@@ -19,6 +20,17 @@ std::vector<Vector2> forces(const std::vector<Vector2> &x, const SpringSet &spri
   std::vector<Vector2> F(x.size(), Vector2::Zero());
   for_each_spring(springs, [&](int a, int b, const Spring &spring) {
     const Vector2 f = spring_force({x[a], x[b]}, spring.length, spring.stiffness);
+    F[a] += f;
+    F[b] -= f;
+  });
+  return F;
+}
+
+std::vector<Vector2> dashpot_forces(const PointBody &body, const SpringSet &springs)
+{
+  std::vector<Vector2> F(body.x.size(), Vector2::Zero());
+  for_each_spring(springs, [&](int a, int b, const Spring &spring) {
+    const Vector2 f = dashpot_force({body.x[a], body.x[b]}, body.v[a] - body.v[b], spring.dashpot);
     F[a] += f;
     F[b] -= f;
   });
@@ -107,13 +119,8 @@ bool stays_small(PointBody body, const SpringSet &springs, double dt)
 {
   stir(body, 1e-6);
   for (int step = 0; step < 2000; ++step) {
-    std::vector<Vector2> F = forces(body.x, springs);
-    for_each_spring(springs, [&](int a, int b, const Spring &spring) {
-      const Vector2 f = dashpot_force({body.x[a], body.x[b]}, body.v[a] - body.v[b], spring.dashpot);
-      F[a] += f;
-      F[b] -= f;
-    });
-    for (int i = 0; i < body.size(); ++i) body.v[i] += dt / body.mass[i] * F[i], body.x[i] += dt * body.v[i];
+    const std::vector<Vector2> F = forces(body.x, springs), D = dashpot_forces(body, springs);
+    for (int i = 0; i < body.size(); ++i) body.v[i] += dt / body.mass[i] * (F[i] + D[i]), body.x[i] += dt * body.v[i];
     if (!(kinetic_energy(body) < 1.0)) return false;
   }
   return true;
@@ -192,6 +199,36 @@ TEST(Springs, PointsOnOneSpotGiveNoForce)
   const Vector2 A(0.5, 0.5);
   EXPECT_EQ(spring_force({A, A}, 0.8, 3.0).norm(), 0.0);
   EXPECT_EQ(dashpot_force({A, A}, Vector2(1, 0) - Vector2(0, 1), 0.7).norm(), 0.0);
+}
+
+TEST(Springs, AllForcesOfAnObjectAreThoseOfItsSprings)
+{
+  SpringForces found;  // one for all, as a bed uses it
+  for (int N : {21, 3, 8, 7, 20})
+    for (bool spokes : {true, false}) {
+      const RingObject object{.ring_points = N, .spokes = spokes, .law = {.stiffness = 50.0, .damping = 0.3}};
+      PointBody body = object.body();
+      stir(body, 0.1);
+      for (int i = 0; i < body.size(); ++i) body.x[i] += body.v[i];
+      body.x[1] = body.x[0];
+      const SpringScale scale{.length = 1.2, .stiffness = 0.5, .dashpot = 0.7};
+      found.resize(N);
+      for (int k = 0; k <= N; ++k) {
+        const Vector2 none(1e3, 0.0);  // a hub without spokes: wherever it is
+        found.set_place(k, (k < body.size() ? body.x[k] : none).data());
+        found.set_velocity(k, (k < body.size() ? body.v[k] : none).data());
+      }
+      found.find(object.springs(), scale, true);
+      SpringSet scaled = object.springs();
+      for (auto *springs : {&scaled.ring, &scaled.spokes})
+        for (int k = 0; k < springs->size(); ++k) springs->set(k, scale * (*springs)[k]);
+      const std::vector<Vector2> F = forces(body.x, scaled), D = dashpot_forces(body, scaled);
+      for (int k = 0; k <= N; ++k)
+        for (int d = 0; d < 2; ++d) {
+          EXPECT_NEAR(found.spring(d, k), k < body.size() ? F[k][d] : 0.0, 1e-12) << N << " points, point " << k;
+          EXPECT_NEAR(found.dashpot(d, k), k < body.size() ? D[k][d] : 0.0, 1e-12) << N << " points, point " << k;
+        }
+    }
 }
 
 TEST(Springs, BondedPairKeepsTheAskedRestitution)
