@@ -44,7 +44,7 @@ Boundary boundary_of(SideKind kind)
 template <int Dim>
 CoupledFluid<Dim>::CoupledFluid(void *lammps, const FluidOptions &options, const Grid<Dim> &grid, const Boundaries<Dim> &boundaries)
     : flow_(grid, {options.density, options.kinematic_viscosity}, boundaries, advection_of(options)),
-      markers_(make_markers<Dim>(options.kernel, flow_.grid(), flow_.layout())), flow_rate_(first_of<Dim>(options.controlled)), points_(lammps),
+      row_sums_(flow_.grid(), flow_.layout()), markers_(make_markers<Dim>(options.kernel, flow_.grid(), flow_.layout())), flow_rate_(first_of<Dim>(options.controlled)), points_(lammps),
       inner_fluid_(options.density), to_slabs_(grid.comm), to_homes_(grid.comm), to_sources_(grid.comm), options_(options)
 {
   if (options.forcing == ForcingScheme::implicit) marker_solver_ = std::make_unique<MarkerSolver<Dim>>(flow_.grid(), flow_.layout(), *markers_);
@@ -81,7 +81,7 @@ template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPo
   describe_markers(objects, drive.gravity);
   if (some_inflate_) note_inflating(objects);
   arrive();
-  spread(carried_);
+  spread_carried();
   given_ = given_to_fluid();
   {
     Stopwatch watch(seconds_in_fluid_);
@@ -90,6 +90,7 @@ template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPo
     // In the first step a projection would turn the initial flow into one that the sides allow, which objects would meet as if it had always been there.
     if (options_.projections > 1 && dt_before_ > 0.0 && !some_inflate_ && some_markers()) flow_.project_prediction(dt_);
   }
+  ask_fluid();
   hand_out();
 }
 
@@ -122,7 +123,7 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
 
 template <int Dim> bool CoupledFluid<Dim>::some_markers() const
 {
-  int some = !arrived_.empty();
+  int some = !x_.empty();
   MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, flow_.grid().comm);
   return some;
 }
@@ -141,15 +142,17 @@ template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<Ob
 {
   Stopwatch watch(seconds_in_coupling_);
   accounts_.clear();
-  leaving_.clear();
+  leaving_x_.clear();
+  leaving_spacing_.clear();
+  leaving_carried_.clear();
   offset_.clear();
   to_.clear();
   marker_gap_ = 0.0;
   owed_balance_ = std::exchange(given_late_, VecD{});
   for (int i = 0; i < points_.n_own(); ++i) {
     std::fill_n(points_.law[i], static_cast<int>(FluidLaw::N_COLUMNS), 0.0);
-    std::fill_n(points_.impulse[i], FluidImpulse::N_RECEIVED, 0.0);
-    points_.state[i][FluidState::HAS_MARKERS] = 0.0;
+    std::fill_n(points_.impulse[i], static_cast<int>(FluidImpulse::N_COLUMNS), 0.0);
+    points_.home[i][FluidHome::HAS_MARKERS] = 0.0;
   }
   described_.clear();
   for (const ObjectPoints &object : objects) describe_object(object, gravity);
@@ -158,33 +161,36 @@ template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<Ob
 template <int Dim> void CoupledFluid<Dim>::arrive()
 {
   Stopwatch watch(seconds_in_coupling_);
-  to_slabs_.deliver(leaving_, to_, arrived_);
-  x_.clear();
-  spacing_.clear();
-  carried_.clear();
-  for (const Arrival &arrival : arrived_) {
-    x_.push_back(arrival.x);
-    spacing_.push_back(arrival.spacing);
-    carried_.push_back(arrival.carried_impulse);
-  }
+  to_slabs_.deliver(leaving_x_, to_, x_);
+  to_slabs_.deliver_again(leaving_spacing_, spacing_);
+  to_slabs_.deliver_again(leaving_carried_, carried_);
   markers_->place(x_);
-  set_kappa();
 }
 
-/// kappa = rho_f ds h / (beta dt). Where markers crowd, their forces overlap: with the kernel's own scale they would overcorrect, and the step be unstable.
-template <int Dim> void CoupledFluid<Dim>::set_kappa()
+/// And, in the same pass, what comes to each face when all markers are asked for a change by 1.
+template <int Dim> void CoupledFluid<Dim>::spread_carried()
 {
+  Stopwatch watch(seconds_in_coupling_);
   const double per_spacing = options_.density * flow_.grid().h;
-  row_sum_.resize(arrived_.size());
-  for (std::size_t l = 0; l < arrived_.size(); ++l) row_sum_[l].fill(per_spacing * arrived_[l].spacing);
+  row_sum_.resize(x_.size());
+  for (std::size_t l = 0; l < x_.size(); ++l) row_sum_[l].fill(per_spacing * spacing_[l]);
+  row_sums_.clear();
   flow_.forcing().clear();
-  markers_->spread(row_sum_, options_.density, flow_.forcing());
+  markers_->spread({{carried_, flow_.forcing()}, {row_sum_, row_sums_}}, options_.density);
   flow_.forcing().complete();
-  markers_->interpolate(flow_.forcing().field(), row_sum_);
-  answers_.resize(arrived_.size());
-  for (std::size_t l = 0; l < arrived_.size(); ++l) {
+  row_sums_.complete();
+}
+
+/// u~ at the markers, and kappa = rho_f ds h / (beta dt). Where markers crowd, their forces overlap: with the kernel's own scale they would overcorrect, and the step be unstable.
+template <int Dim> void CoupledFluid<Dim>::ask_fluid()
+{
+  Stopwatch watch(seconds_in_coupling_);
+  markers_->interpolate({{flow_.face_velocity_around(), u_}, {row_sums_.field(), row_sum_}});
+  const double per_spacing = options_.density * flow_.grid().h;
+  answers_.resize(x_.size());
+  for (std::size_t l = 0; l < x_.size(); ++l) {
     const double beta = std::max(markers_->scale(), *std::max_element(row_sum_[l].begin(), row_sum_[l].end()));
-    answers_[l].kappa = per_spacing * arrived_[l].spacing / (beta * dt_);
+    answers_[l] = {u_[l], per_spacing * spacing_[l] / (beta * dt_)};
   }
 }
 
@@ -201,21 +207,19 @@ template <int Dim> void CoupledFluid<Dim>::spread(const std::vector<VecD> &impul
 template <int Dim> void CoupledFluid<Dim>::hand_out()
 {
   Stopwatch watch(seconds_in_coupling_);
-  markers_->interpolate(flow_.face_velocity_around(), u_);
-  for (std::size_t l = 0; l < u_.size(); ++l) answers_[l].u = u_[l];
   to_slabs_.reply(answers_, answers_here_);
 
   for (std::size_t n = 0; n < accounts_.size(); ++n) {
     const Account &account = accounts_[n];
-    double *law = points_.law[account.point], *state = points_.state[account.point];
+    double *law = points_.law[account.point], *home = points_.home[account.point];
     for (int m = account.first; m < account.first + account.count; ++m) {
       law[FluidLaw::KAPPA] += answers_here_[m].kappa;
       for (int d = 0; d < Dim; ++d) law[FluidLaw::A_X + d] += answers_here_[m].kappa * (answers_here_[m].u[d] - offset_[m][d]);
     }
     for (int d = 0; d < Dim; ++d) law[FluidLaw::A_X + d] -= account.felt[d];
-    state[FluidState::HAS_MARKERS] = 1.0;
-    state[FluidState::HOME_RANK] = flow_.grid().rank;
-    state[FluidState::HOME_SLOT] = static_cast<double>(n);
+    home[FluidHome::HAS_MARKERS] = 1.0;
+    home[FluidHome::HOME_RANK] = flow_.grid().rank;
+    home[FluidHome::HOME_SLOT] = static_cast<double>(n);
   }
 }
 
@@ -232,19 +236,19 @@ template <int Dim> void CoupledFluid<Dim>::collect(const std::vector<ObjectPoint
     for (int k = -1; k < object.n_ring; ++k) {
       const int i = points_.own_index(k < 0 ? object.hub : object.ring[k]);
       if (i < 0) continue;
-      const double *impulse = points_.impulse[i], *state = points_.state[i];
-      Report report{static_cast<int>(state[FluidState::HOME_SLOT]), {}};
+      const double *impulse = points_.impulse[i], *home = points_.home[i];
+      Report report{static_cast<int>(home[FluidHome::HOME_SLOT]), {}};
       for (int d = 0; d < Dim; ++d) {
-        report.impulse[d] = impulse[d] - state[FluidState::INNER_FORCE_X + d] * dt_;
+        report.impulse[d] = impulse[d] - home[FluidHome::INNER_FORCE_X + d] * dt_;
         received_[d] += report.impulse[d];
       }
-      if (state[FluidState::HAS_MARKERS] == 0.0) continue;
+      if (home[FluidHome::HAS_MARKERS] == 0.0) continue;
       reports_.push_back(report);
       reporting_.push_back(i);
-      to_.push_back(static_cast<int>(state[FluidState::HOME_RANK]));
+      to_.push_back(static_cast<int>(home[FluidHome::HOME_RANK]));
     }
   to_homes_.deliver(reports_, to_, arrived_reports_);
-  leaving_change_.assign(leaving_.size(), VecD{});
+  leaving_change_.assign(leaving_x_.size(), VecD{});
   new_force_.clear();
   for (const Report &report : arrived_reports_) settle(report);
   to_homes_.reply(new_force_, new_force_here_);

@@ -16,7 +16,7 @@ namespace swellflow {
 ///
 ///   arrive      the markers of each ring point go to the slabs that hold them
 ///   predict     u~ with the force F_c that each marker gave in the step before, spread at its new place; with two projections div u~ = 0
-///   interpolate u~ at the markers
+///   ask         u~ at the markers
 ///   hand out    the force on a point, sum over its markers of kappa (u~ - c - v) less its shares of F_c, while LIGGGHTS takes its N steps
 ///   collect     the impulse I that each point truly received: with it the velocity V that the point had in the mean
 ///   spread      dJ = kappa dt (V + c - u~) for each marker; F_c of the point is then that of before plus the sum of dJ / dt
@@ -65,11 +65,7 @@ public:
 
 private:
   using VecD = Vec<Dim>;
-  /// What travels to the slab when a step begins, and what comes back.
-  struct Arrival {
-    VecD x, carried_impulse;
-    double spacing;
-  };
+  /// What comes back from the slab.
   struct Answer {
     VecD u;
     double kappa;
@@ -107,7 +103,8 @@ private:
   int markers_per_point(const ObjectPoints &object) const;
   int slab_of(const VecD &x) const;
   void arrive();
-  void set_kappa();
+  void spread_carried();
+  void ask_fluid();
   void hand_out();
   void collect(const std::vector<ObjectPoints> &objects);
   void settle(const Report &report);
@@ -125,6 +122,7 @@ private:
   int any_own(const ObjectPoints &object) const;
 
   FlowSolver<Dim> flow_;
+  FaceForcing<Dim> row_sums_;
   std::unique_ptr<Markers<Dim>> markers_;
   std::unique_ptr<MarkerSolver<Dim>> marker_solver_;  // of implicit forcing
   FlowRate<Dim> flow_rate_;
@@ -140,7 +138,8 @@ private:
   // On the rank that has the point when the step begins
   std::vector<Described> described_;
   std::vector<Account> accounts_;
-  std::vector<Arrival> leaving_;
+  std::vector<VecD> leaving_x_, leaving_carried_;  // places; the impulses that the markers carry
+  std::vector<double> leaving_spacing_;
   std::vector<VecD> offset_, leaving_change_, felt_;
   std::vector<int> to_;
   std::vector<Answer> answers_here_;
@@ -150,7 +149,6 @@ private:
   std::vector<VecD> new_force_, new_force_here_;
   std::vector<VecD> owed_, owed_here_, extra_back_;
   // On the rank of the slab
-  std::vector<Arrival> arrived_;
   std::vector<Answer> answers_;
   std::vector<VecD> x_, u_, u_after_, carried_, change_, row_sum_, wanted_, slip_, extra_, all_extra_;
   std::vector<double> spacing_;

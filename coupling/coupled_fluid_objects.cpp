@@ -100,7 +100,7 @@ template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &obj
 template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &object, int k, int own, double inward_rate)
 {
   const int per_point = ring_.per_point();
-  Account account{own, static_cast<int>(leaving_.size()), 0, k < object.n_ring ? per_point : 0, {}, felt_[k]};
+  Account account{own, static_cast<int>(leaving_x_.size()), 0, k < object.n_ring ? per_point : 0, {}, felt_[k]};
   VecD of_each;
   for (int d = 0; d < Dim; ++d) {
     account.carried[d] = points_.carried[own][FluidCarried::FORCE_X + d];
@@ -111,7 +111,7 @@ template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &obje
     send_marker(ring_.marker(m), ring_.spacing(m), of_each, own, inward_rate);
   }
   for (const auto &marker : ring_.inner(k)) send_marker(marker, marker.spacing, {}, own, inward_rate);
-  account.count = static_cast<int>(leaving_.size()) - account.first;
+  account.count = static_cast<int>(leaving_x_.size()) - account.first;
   accounts_.push_back(account);
 }
 
@@ -126,7 +126,9 @@ void CoupledFluid<Dim>::send_marker(const Marker &marker, double spacing, const 
     if (!std::isfinite(x[d])) x[d] = flow_.grid().origin[d];
     offset[d] = marker.u[d] - points_.v[own][d] - inward_rate * (marker.x[d] - ring_.centroid()[d]);
   }
-  leaving_.push_back({x, carried_impulse, spacing});
+  leaving_x_.push_back(x);
+  leaving_spacing_.push_back(spacing);
+  leaving_carried_.push_back(carried_impulse);
   offset_.push_back(offset);
   to_.push_back(slab_of(x));
 }

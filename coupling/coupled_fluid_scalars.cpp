@@ -35,7 +35,7 @@ template <int Dim> double CoupledFluid<Dim>::seconds_in_scalars() const
 /// By way of the points' accounts: the markers on their outlines get the value, those inside 0.
 template <int Dim> void CoupledFluid<Dim>::tell_markers(const std::vector<double> &by_point, std::vector<double> &by_marker)
 {
-  std::vector<double> told, arrived, leaving(leaving_.size(), 0.0);
+  std::vector<double> told, arrived, leaving(leaving_x_.size(), 0.0);
   for (const int point : reporting_) told.push_back(by_point[point]);
   to_homes_.deliver_again(told, arrived);
   for (std::size_t n = 0; n < arrived.size(); ++n) {
@@ -54,8 +54,8 @@ template <int Dim> void CoupledFluid<Dim>::hear_markers(const std::vector<double
     const Account &account = accounts_[report.slot];
     ScalarMet sum;
     for (int m = account.first; m < account.first + account.n_carrying; ++m) {
-      sum.amount += leaving_[m].spacing * back[m];
-      sum.spacing += leaving_[m].spacing;
+      sum.amount += leaving_spacing_[m] * back[m];
+      sum.spacing += leaving_spacing_[m];
     }
     sums.push_back(sum);
   }

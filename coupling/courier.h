@@ -23,6 +23,7 @@ public:
   /// records[i] goes to rank to[i]; those that arrive stand in the order of their senders. Collective.
   template <class T> void deliver(const std::vector<T> &records, const std::vector<int> &to, std::vector<T> &arrived)
   {
+    if (ranks_ == 1) return deliver_again(records, arrived);
     sort_by_rank(to);
     MPI_Alltoall(sent_.data(), 1, MPI_INT, received_.data(), 1, MPI_INT, comm_);
     std::exclusive_scan(received_.begin(), received_.end(), received_start_.begin(), 0);
@@ -32,6 +33,10 @@ public:
   /// More records from the same senders to the same receivers as in the last delivery. Collective.
   template <class T> void deliver_again(const std::vector<T> &records, std::vector<T> &arrived)
   {
+    if (ranks_ == 1) {
+      arrived = records;
+      return;
+    }
     sort_records(records);
     arrived.resize(received_start_[ranks_]);
     exchange(reinterpret_cast<const T *>(sorted_bytes_.data()), sent_, sent_start_, arrived.data(), received_, received_start_);
@@ -40,6 +45,10 @@ public:
   /// answers[i] belongs to arrived[i] of the last delivery; back[i] is the answer to records[i]. Collective.
   template <class T> void reply(const std::vector<T> &answers, std::vector<T> &back)
   {
+    if (ranks_ == 1) {
+      back = answers;
+      return;
+    }
     sorted_bytes_.resize(place_.size() * sizeof(T));
     T *sorted = reinterpret_cast<T *>(sorted_bytes_.data());
     exchange(answers.data(), received_, received_start_, sorted, sent_, sent_start_);

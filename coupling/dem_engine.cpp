@@ -27,6 +27,8 @@ void DemEngine::refresh()
   object_point = objects_ ? per_atom(LAMMPS_NS::FixObjects::PROPERTY) : nullptr;
   law = per_atom(FluidLaw::NAME);
   impulse = per_atom(FluidImpulse::NAME);
+  ahead = per_atom(FluidAhead::NAME);
+  home = per_atom(FluidHome::NAME);
   carried = per_atom(FluidCarried::NAME);
   state = per_atom(FluidState::NAME);
 }

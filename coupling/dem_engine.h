@@ -34,11 +34,11 @@ public:
   std::array<double, 3> box_low() const { return corner("boxxlo", "boxylo", "boxzlo"); }
   std::array<double, 3> box_high() const { return corner("boxxhi", "boxyhi", "boxzhi"); }
 
-  // Own points and ghosts, but for the last three: own points only.
+  // Own points and ghosts, but for the last line: own points only.
   double **x = nullptr, **v = nullptr, *mass = nullptr;
   double **object_point = nullptr;   ///< columns: FixObjects::Column; null in a scene without objects
-  double **carried = nullptr;        ///< columns: FluidCarried
-  double **law = nullptr, **impulse = nullptr, **state = nullptr;  ///< columns: FluidLaw, FluidImpulse, FluidState
+  double **carried = nullptr, **law = nullptr, **ahead = nullptr;  ///< columns: FluidCarried, FluidLaw, FluidAhead
+  double **impulse = nullptr, **home = nullptr, **state = nullptr;  ///< columns: FluidImpulse, FluidHome, FluidState
 
 private:
   double **per_atom(const char *id) const;

@@ -62,8 +62,8 @@ void InnerFluid::follow(const ObjectPoints &object, const ObjectMotion &motion, 
   });
 }
 
-/// sum of kappa over the points, as it resists a rigid motion, times dt; and dt times the sums of forces and torques: of the law at the present velocities, and of
-/// contacts (springs cancel).
+/// sum of kappa over the points, as it resists a rigid motion, times dt; dt times the sums of the law's forces and torques at the present velocities; and the sums of those of contacts
+/// (springs cancel).
 InnerFluid::Drag InnerFluid::drag_of(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity, double dt, const DemEngine &points)
 {
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), contact = Eigen::Vector3d::Zero();
@@ -73,7 +73,7 @@ InnerFluid::Drag InnerFluid::drag_of(const ObjectPoints &object, const ObjectMot
     const Vec<2> v = drift_velocity(points, i, gravity);
     const double fx = points.law[i][FluidLaw::A_X] - kappa * v[0], fy = points.law[i][FluidLaw::A_Y] - kappa * v[1];
     impulse += Eigen::Vector3d(fx, fy, rx * fy - ry * fx);
-    const double *f = points.impulse[i] + FluidImpulse::OUTER_X, mass = points.mass[i], cx = f[0] - mass * gravity[0], cy = f[1] - mass * gravity[1];
+    const double *f = points.ahead[i] + FluidAhead::OUTER_X, mass = points.mass[i], cx = f[0] - mass * gravity[0], cy = f[1] - mass * gravity[1];
     contact += Eigen::Vector3d(cx, cy, rx * cy - ry * cx);
     sum += kappa;
     sum_x += kappa * rx;
@@ -81,7 +81,7 @@ InnerFluid::Drag InnerFluid::drag_of(const ObjectPoints &object, const ObjectMot
     sum_square += kappa * (rx * rx + ry * ry);
   });
   const Eigen::Matrix3d mass{{sum, 0.0, -sum_y}, {0.0, sum, sum_x}, {-sum_y, sum_x, sum_square}};
-  return {.impulse = dt * impulse, .contact = dt * contact, .mass = dt * mass};
+  return {.impulse = dt * impulse, .contact = contact, .mass = dt * mass};
 }
 
 /// As a rigid body: (M - rho_f V) (V1 - V0) = dt [ sum (a - kappa u) + (M - rho_f V) g + lasting contact ], u = V1 + W1 x r + what points have beyond that now; the same with torques.
@@ -91,7 +91,7 @@ Eigen::Vector3d InnerFluid::foresee(const Drag &drag, const ObjectMotion &motion
   const double excess_inertia = (1.0 - motion.inner_inertia * mass(motion) / motion.mass) * motion.inertia;
   const Eigen::Vector3d excess_mass(excess * motion.mass, excess * motion.mass, excess_inertia);
   const Eigen::Matrix3d A = drag.mass + Eigen::Matrix3d(excess_mass.asDiagonal());
-  const Eigen::Vector3d change = A.ldlt().solve(drag.impulse + drag.contact + dt * excess_mass.cwiseProduct(Eigen::Vector3d(gravity[0], gravity[1], 0.0)));
+  const Eigen::Vector3d change = A.ldlt().solve(drag.impulse + dt * drag.contact + dt * excess_mass.cwiseProduct(Eigen::Vector3d(gravity[0], gravity[1], 0.0)));
   return change.allFinite() ? Eigen::Vector3d(change / dt) : Eigen::Vector3d::Zero();
 }
 
@@ -107,7 +107,7 @@ void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &
   bool meets = false;
   for_each_own_bearing(object, points, [&](int own, int) { meets = meets || points.state[own][FluidState::KNOWS_BEFORE] == 1.0; });
   Drag drag = meets || !has_markers ? drag_of(object, motion, gravity, dt, points) : Drag{};
-  drag.contact = dt * lasting_contact(object, points, drag.contact / dt);
+  drag.contact = lasting_contact(object, points, drag.contact);
   const Eigen::Vector3d foreseen = has_markers ? Eigen::Vector3d::Zero() : foresee(drag, motion, gravity, dt);
   const Eigen::Vector3d at_first = meets ? lacking(drag) : Eigen::Vector3d::Zero();
   for_each_own_bearing(object, points, [&](int own, int image) {
@@ -119,7 +119,7 @@ void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &
     const double turn = motion.inner_inertia * a[2];
     const double force[] = {share * (a[0] - turn * ry - gravity[0]), share * (a[1] + turn * rx - gravity[1])};
     for (int d = 0; d < 2; ++d) {
-      state[FluidState::INNER_FORCE_X + d] = force[d];
+      points.home[own][FluidHome::INNER_FORCE_X + d] = force[d];
       points.law[own][FluidLaw::A_X + d] += force[d];
     }
   });

@@ -17,12 +17,12 @@ template <class Visit> void for_each_bearing(const ObjectPoints &object, const D
 }
 
 /// The velocity that has carried a point through its last DEM step: without what it has in advance, half a step of weight and of the fluid's impulse, when its
-/// integrator keeps these (FluidImpulse).
+/// integrator keeps these (FluidAhead).
 inline Vec<2> drift_velocity(const DemEngine &points, int i, const Triple &gravity)
 {
-  const double *impulse = points.impulse[i], half_step = impulse[FluidImpulse::KNOWS_AHEAD] != 0.0 ? 0.5 * points.time_step() : 0.0;
+  const double *ahead = points.ahead[i], half_step = ahead[FluidAhead::KNOWS_AHEAD] != 0.0 ? 0.5 * points.time_step() : 0.0;
   Vec<2> v;
-  for (int d = 0; d < 2; ++d) v[d] = points.v[i][d] - impulse[FluidImpulse::AHEAD_X + d] - half_step * gravity[d];
+  for (int d = 0; d < 2; ++d) v[d] = points.v[i][d] - ahead[FluidAhead::AHEAD_X + d] - half_step * gravity[d];
   return v;
 }
 

@@ -14,8 +14,12 @@ public:
 
   void place(const std::vector<Vec<Dim>> &positions) override;
   int size() const override { return static_cast<int>(stencils_.size()); }
-  void interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const override;
-  void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const override;
+  using typename Markers<Dim>::Interpolation;
+  using typename Markers<Dim>::Spreading;
+  using Markers<Dim>::interpolate;
+  using Markers<Dim>::spread;
+  void interpolate(std::initializer_list<Interpolation> wanted) const override;
+  void spread(std::initializer_list<Spreading> wanted, double density) const override;
   void place_in_cells(const std::vector<Vec<Dim>> &positions) override;
   void interpolate(const Field<Dim> &cells, std::vector<double> &values) const override;
   void spread(const std::vector<double> &amounts, Field<Dim> &cells) const override;
@@ -128,29 +132,31 @@ void KernelMarkers<Dim, Kernel>::leave_out_walls(int first, int lowest, int high
 }
 
 template <int Dim, class Kernel>
-void KernelMarkers<Dim, Kernel>::interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const
+void KernelMarkers<Dim, Kernel>::interpolate(std::initializer_list<Interpolation> wanted) const
 {
-  velocities.resize(stencils_.size());
+  for (const Interpolation &one : wanted) one.values.resize(stencils_.size());
   for (std::size_t l = 0; l < stencils_.size(); ++l)
-    for (int c = 0; c < Dim; ++c) {
-      const double *face = face_velocity[c].data();
-      double sum = 0.0;
-      each_point(stencils_[l][c], [&](std::ptrdiff_t at, double weight) { sum += weight * face[at]; });
-      velocities[l][c] = sum;
-    }
+    for (const Interpolation &one : wanted)
+      for (int c = 0; c < Dim; ++c) {
+        const double *face = one.faces[c].data();
+        double sum = 0.0;
+        each_point(stencils_[l][c], [&](std::ptrdiff_t at, double weight) { sum += weight * face[at]; });
+        one.values[l][c] = sum;
+      }
 }
 
 template <int Dim, class Kernel>
-void KernelMarkers<Dim, Kernel>::spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const
+void KernelMarkers<Dim, Kernel>::spread(std::initializer_list<Spreading> wanted, double density) const
 {
   const double per_impulse = 1.0 / (density * grid_.cell_volume());
   for (std::size_t l = 0; l < stencils_.size(); ++l)
-    for (int c = 0; c < Dim; ++c) {
-      const double change = per_impulse * impulses[l][c];
-      double *face = forcing.faces(c);
-      forcing.touch(stencils_[l][c].first_plane, stencils_[l][c].first_plane + width - 1);
-      each_point(stencils_[l][c], [&](std::ptrdiff_t at, double weight) { face[at] += weight * change; });
-    }
+    for (const Spreading &one : wanted)
+      for (int c = 0; c < Dim; ++c) {
+        const double change = per_impulse * one.impulses[l][c];
+        double *face = one.forcing.faces(c);
+        one.forcing.touch(stencils_[l][c].first_plane, stencils_[l][c].first_plane + width - 1);
+        each_point(stencils_[l][c], [&](std::ptrdiff_t at, double weight) { face[at] += weight * change; });
+      }
 }
 
 template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::interpolate(const Field<Dim> &cells, std::vector<double> &values) const

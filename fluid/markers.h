@@ -1,6 +1,7 @@
 // The markers on this rank's slab: interpolation of face velocities to them, and its adjoint, spreading.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,11 +25,22 @@ public:
   virtual void place(const std::vector<Vec<Dim>> &positions) = 0;
   virtual int size() const = 0;
 
-  /// U_l = sum over faces of w_l F. Ghost planes and the ghost cells of periodic directions must be right.
-  virtual void interpolate(const VectorField<Dim> &face_velocity, std::vector<Vec<Dim>> &velocities) const = 0;
+  struct Interpolation {
+    const VectorField<Dim> &faces;
+    std::vector<Vec<Dim>> &values;
+  };
+  struct Spreading {
+    const std::vector<Vec<Dim>> &impulses;
+    FaceForcing<Dim> &forcing;
+  };
 
-  /// Adds to each face the change of velocity w_l J_l / (rho h^Dim) that impulses J [mass length / time] on the markers give.
-  virtual void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const = 0;
+  /// U_l = sum over faces of w_l F. Ghost planes and the ghost cells of periodic directions must be right. Several in one pass over the weights, which fit into no cache.
+  virtual void interpolate(std::initializer_list<Interpolation> wanted) const = 0;
+  void interpolate(const VectorField<Dim> &faces, std::vector<Vec<Dim>> &values) const { interpolate({{faces, values}}); }
+
+  /// Adds to each face the change of velocity w_l J_l / (rho h^Dim) that impulses J [mass length / time] on the markers give. Several in one pass.
+  virtual void spread(std::initializer_list<Spreading> wanted, double density) const = 0;
+  void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const { spread({{impulses, forcing}}, density); }
 
   /// The same for values in the cells, at the positions of the last `place_in_cells`.
   virtual void place_in_cells(const std::vector<Vec<Dim>> &positions) = 0;

@@ -15,6 +15,7 @@
 #include "fluid_columns.h"
 #include "force.h"
 #include "gravity.h"
+#include "memory_room.h"
 #include "modify.h"
 #include "options.h"
 #include "output.h"
@@ -53,6 +54,9 @@ void FixFluidIb::parse(int narg, char **arg)
     box_high_[d] = domain->boxhi[d];
   }
   script_ = std::make_unique<FluidScript>(line, box);
+  constexpr double bytes_a_cell = 100.0;  // of a fluid without objects and scalars
+  const auto &cells = script_->options().cells;
+  require_memory(world, line.place(), std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells", bytes_a_cell * cells[0] * cells[1]);
 }
 
 int FixFluidIb::setmask()
@@ -67,15 +71,17 @@ int FixFluidIb::setmask()
 void FixFluidIb::post_create()
 {
   law_ = add_per_atom_values(lmp, FluidLaw::NAME, FluidLaw::N_COLUMNS, true);
-  impulse_ = add_per_atom_values(lmp, FluidImpulse::NAME, FluidImpulse::N_COLUMNS, true);
+  add_per_atom_values(lmp, FluidImpulse::NAME, FluidImpulse::N_COLUMNS, false);
+  ahead_ = add_per_atom_values(lmp, FluidAhead::NAME, FluidAhead::N_COLUMNS, true);
   carried_ = add_per_atom_values(lmp, FluidCarried::NAME, FluidCarried::N_COLUMNS, true);
+  add_per_atom_values(lmp, FluidHome::NAME, FluidHome::N_COLUMNS, false);
   add_per_atom_values(lmp, FluidState::NAME, FluidState::N_COLUMNS, false);
 }
 
 void FixFluidIb::pre_delete(bool unfixflag)
 {
   if (!unfixflag) return;
-  for (const char *name : {FluidLaw::NAME, FluidImpulse::NAME, FluidCarried::NAME, FluidState::NAME})
+  for (const char *name : swellflow::fluid_column_names)
     if (modify->find_fix(name) >= 0) modify->delete_fix(name);
 }
 
@@ -146,7 +152,7 @@ void FixFluidIb::begin_step()
   comm->forward_comm();
   carried_->do_forward_comm();
   note_outer_forces();
-  impulse_->do_forward_comm();
+  ahead_->do_forward_comm();
   const FluidDrive now = drive();
   partner_->begin_step(objects(), now, dem_steps_);
   law_->do_forward_comm();
@@ -167,7 +173,7 @@ int FixFluidIb::up_to_next_stop(int dem_steps) const
 void FixFluidIb::note_outer_forces()
 {
   for (int i = 0; i < atom->nlocal; i++)
-    for (int d = 0; d < 2; d++) impulse_->array_atom[i][FluidImpulse::OUTER_X + d] = atom->f[i][d] * force->ftm2v;
+    for (int d = 0; d < 2; d++) ahead_->array_atom[i][FluidAhead::OUTER_X + d] = atom->f[i][d] * force->ftm2v;
 }
 
 void FixFluidIb::end_of_step()

@@ -66,7 +66,7 @@ class FixFluidIb : public Fix {
   double box_low_[2], box_high_[2];  // when the line was read
   swellflow::FluidPartnerFactory make_partner_;
   std::unique_ptr<swellflow::FluidPartner> partner_;
-  FixPropertyAtom *law_ = nullptr, *impulse_ = nullptr, *carried_ = nullptr;
+  FixPropertyAtom *law_ = nullptr, *ahead_ = nullptr, *carried_ = nullptr;
   std::vector<swellflow::ObjectPoints> objects_;
   PhaseLine phases_;
   StopRequest stop_;

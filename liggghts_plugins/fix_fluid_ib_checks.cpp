@@ -28,7 +28,7 @@ void FixFluidIb::require_settings()
   require_sides();
   if (!comm->ghost_velocity)
     error->fix_error(FLERR, this, "ranks must know the velocities of each other's points, but ghosts have none: add 'communicate single vel yes'");
-  for (const char *name : {FluidLaw::NAME, FluidImpulse::NAME, FluidCarried::NAME, FluidState::NAME})
+  for (const char *name : swellflow::fluid_column_names)
     if (modify->find_fix(name) < 0)
       error->fix_error(FLERR, this, ("the fluid keeps its state in fix '" + std::string(name) + "', which is gone: do not unfix it").c_str());
 }

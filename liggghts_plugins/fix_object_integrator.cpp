@@ -13,13 +13,14 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using swellflow::FluidAhead;
 using swellflow::FluidImpulse;
 using swellflow::FluidLaw;
 using swellflow::ObjectPoints;
 using swellflow::Vector2;
 
 FixObjectIntegrator::FixObjectIntegrator(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), outer_forces_(OuterForces::as_a_whole), spin_(FROZEN), objects_(nullptr), law_(nullptr), impulse_(nullptr)
+    Fix(lmp, narg, arg), outer_forces_(OuterForces::as_a_whole), spin_(FROZEN), objects_(nullptr), law_(nullptr), impulse_(nullptr), ahead_(nullptr)
 {
   time_integrate = 1;
   comm_forward = OUTER_SIZE;
@@ -115,8 +116,8 @@ void FixObjectIntegrator::foresee_impulse(const ObjectPoints &object)
     const int own = objects_->own_index(i);
     if (own < 0) return;
     const Vector2 ahead = 0.5 * change.at(body_.x[n] - whole.centre);
-    for (int d = 0; d < 2; d++) impulse_[own][FluidImpulse::AHEAD_X + d] = ahead[d];
-    impulse_[own][FluidImpulse::KNOWS_AHEAD] = 1.0;
+    for (int d = 0; d < 2; d++) ahead_[own][FluidAhead::AHEAD_X + d] = ahead[d];
+    ahead_[own][FluidAhead::KNOWS_AHEAD] = 1.0;
   });
 }
 
@@ -126,7 +127,7 @@ void FixObjectIntegrator::begin_ahead(const ObjectPoints &object, double torque)
   bool known = false;
   for_each_member(object, [&](int, int i) {
     const int own = objects_->own_index(i);
-    known = known || (own >= 0 && impulse_[own][FluidImpulse::KNOWS_AHEAD] != 0.0);
+    known = known || (own >= 0 && ahead_[own][FluidAhead::KNOWS_AHEAD] != 0.0);
   });
   if (known) return;
   swellflow::WholeMotion whole = whole_motion(body_);
@@ -141,19 +142,20 @@ void FixObjectIntegrator::add_foreseen(const ObjectPoints &object)
 {
   for_each_member(object, [&](int, int i) {
     const int own = objects_->own_index(i);
-    for (int d = 0; own >= 0 && d < 2; d++) atom->v[own][d] += impulse_[own][FluidImpulse::AHEAD_X + d];
+    for (int d = 0; own >= 0 && d < 2; d++) atom->v[own][d] += ahead_[own][FluidAhead::AHEAD_X + d];
   });
 }
 
 void FixObjectIntegrator::take_back_foreseen()
 {
-  double **impulse = fluid_columns(lmp, FluidImpulse::NAME);
-  if (!impulse) return;
+  double **columns = fluid_columns(lmp, FluidAhead::NAME);
+  if (!columns) return;
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit)
       for (int d = 0; d < 2; d++) {
-        atom->v[i][d] -= impulse[i][FluidImpulse::AHEAD_X + d];
-        impulse[i][FluidImpulse::AHEAD_X + d] = 0.0;
+        double &ahead = columns[i][FluidAhead::AHEAD_X + d];
+        atom->v[i][d] -= ahead;
+        ahead = 0.0;
       }
 }
 
@@ -181,7 +183,8 @@ void FixObjectIntegrator::collect_outer()
 {
   law_ = fluid_columns(lmp, FluidLaw::NAME);
   impulse_ = fluid_columns(lmp, FluidImpulse::NAME);
-  if (!law_ || !impulse_) law_ = impulse_ = nullptr;
+  ahead_ = fluid_columns(lmp, FluidAhead::NAME);
+  if (!law_ || !impulse_ || !ahead_) law_ = impulse_ = ahead_ = nullptr;
   outer_.resize(atom->nlocal + atom->nghost);
   for (int i = 0; i < atom->nlocal; i++) {
     const double *f = atom->f[i], *v = atom->v[i], *law = law_ ? law_[i] : nullptr;

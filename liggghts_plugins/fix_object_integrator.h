@@ -64,7 +64,7 @@ class FixObjectIntegrator : public Fix {
   OuterForces outer_forces_;
   int spin_;
   FixObjects *objects_;
-  double **law_, **impulse_;  // of the fluid, in this step; null without one
+  double **law_, **impulse_, **ahead_;  // of the fluid, in this step; null without one
   std::vector<Outer> outer_;
   swellflow::PointBody body_;
   std::vector<swellflow::Vector2> excess_;

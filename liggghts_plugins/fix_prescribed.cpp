@@ -20,9 +20,9 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using swellflow::FluidHome;
 using swellflow::FluidImpulse;
 using swellflow::FluidLaw;
-using swellflow::FluidState;
 using swellflow::ObjectPoints;
 using swellflow::ScriptValue;
 
@@ -170,13 +170,13 @@ void FixPrescribed::advance(double dx, double dy, double turn)
 
 void FixPrescribed::receive_half_a_step()
 {
-  double **law = fluid_columns(lmp, FluidLaw::NAME), **impulse = fluid_columns(lmp, FluidImpulse::NAME), **state = fluid_columns(lmp, FluidState::NAME);
-  if (!law || !impulse || !state) return;
+  double **law = fluid_columns(lmp, FluidLaw::NAME), **impulse = fluid_columns(lmp, FluidImpulse::NAME), **home = fluid_columns(lmp, FluidHome::NAME);
+  if (!law || !impulse || !home) return;
   for (const ObjectPoints &object : objects_->objects()) {
     if (!(atom->mask[object.hub] & groupbit)) continue;
     for_each_own_point(object, [&](int own, int image) {
       const double arm[2] = {atom->x[image][0] - atom->x[object.hub][0], atom->x[image][1] - atom->x[object.hub][1]};
-      receive(own, arm, law[own], state[own] + FluidState::INNER_FORCE_X, impulse[own]);
+      receive(own, arm, law[own], home[own] + FluidHome::INNER_FORCE_X, impulse[own]);
     });
   }
 }

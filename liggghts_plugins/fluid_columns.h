@@ -9,12 +9,17 @@ struct FluidLaw {
   enum Column { KAPPA, A_X, A_Y, A_Z, N_COLUMNS };
 };
 
-/// The impulse that a point truly received from that law since the fluid step began; and (ghosts know this too) by how much its velocity at the end of a DEM step is ahead of what it
-/// received so far (FixObjectIntegrator); and what acted on it beside the fluid when the fluid step began: weight, contacts, springs.
+/// The impulse that a point truly received from that law since the fluid step began.
 struct FluidImpulse {
   static constexpr const char *NAME = "fluid_impulse";
-  enum Column { RECEIVED_X, RECEIVED_Y, RECEIVED_Z, AHEAD_X, AHEAD_Y, KNOWS_AHEAD, OUTER_X, OUTER_Y, N_COLUMNS };
-  static constexpr int N_RECEIVED = 3;  // those with which a fluid step begins anew
+  enum Column { RECEIVED_X, RECEIVED_Y, RECEIVED_Z, N_COLUMNS };
+};
+
+/// By how much the velocity of a point at the end of a DEM step is ahead of what it received so far (FixObjectIntegrator); and what acted on it beside the fluid when the fluid step
+/// began: weight, contacts, springs. Ghosts have it too.
+struct FluidAhead {
+  static constexpr const char *NAME = "fluid_ahead";
+  enum Column { AHEAD_X, AHEAD_Y, KNOWS_AHEAD, OUTER_X, OUTER_Y, N_COLUMNS };
 };
 
 /// The force that a point's markers gave to the fluid in the last fluid step and that is carried into the next; and of the impulse behind it the part that came
@@ -24,13 +29,23 @@ struct FluidCarried {
   enum Column { FORCE_X, FORCE_Y, FORCE_Z, OWED_X, OWED_Y, OWED_Z, N_COLUMNS };
 };
 
+/// While a fluid step is under way.
+struct FluidHome {
+  static constexpr const char *NAME = "fluid_home";
+  enum Column {
+    HAS_MARKERS,       // 1 when the step has markers of this point …
+    HOME_RANK,         // … which this rank keeps account of …
+    HOME_SLOT,         // … in this place
+    INNER_FORCE_X,     // of the fluid inside, its inertia and its weight: part of the law
+    INNER_FORCE_Y,
+    N_COLUMNS
+  };
+};
+
 /// What else must migrate with a point between fluid steps.
 struct FluidState {
   static constexpr const char *NAME = "fluid_state";
   enum Column {
-    HAS_MARKERS,       // 1 while a fluid step is under way that has markers of this point …
-    HOME_RANK,         // … which this rank keeps account of …
-    HOME_SLOT,         // … in this place
     KNOWS_BEFORE,      // whether the next four are known; 1 in the first fluid step, 2 afterwards
     VELOCITY_X,        // of the object when the last fluid step began
     VELOCITY_Y,
@@ -45,12 +60,13 @@ struct FluidState {
     CONTACT_X,         // force and torque of its contacts when the last fluid step began
     CONTACT_Y,
     CONTACT_TURN,
-    INNER_FORCE_X,     // of the fluid inside, its inertia and its weight: part of the law
-    INNER_FORCE_Y,
     INNER_AREA,        // of the hub of an object that inflates: what fluid there is inside; 0: not known yet
     FILLED,            // of the same: 1 while markers fill it
     N_COLUMNS
   };
 };
+
+/// All of them.
+constexpr const char *fluid_column_names[] = {FluidLaw::NAME, FluidImpulse::NAME, FluidAhead::NAME, FluidCarried::NAME, FluidHome::NAME, FluidState::NAME};
 
 }  // namespace swellflow

@@ -59,9 +59,9 @@ double **LAMMPS_NS::fluid_columns(LAMMPS *lmp, const char *name)
 
 void LAMMPS_NS::forget_what_is_ahead(LAMMPS *lmp, const Fix &asking)
 {
-  using swellflow::FluidImpulse;
-  double **impulse = fluid_columns(lmp, FluidImpulse::NAME);
-  for (int i = 0; impulse && i < lmp->atom->nlocal; i++)
+  using swellflow::FluidAhead;
+  double **ahead = fluid_columns(lmp, FluidAhead::NAME);
+  for (int i = 0; ahead && i < lmp->atom->nlocal; i++)
     if (lmp->atom->mask[i] & asking.groupbit)
-      for (int column : {FluidImpulse::AHEAD_X, FluidImpulse::AHEAD_Y, FluidImpulse::KNOWS_AHEAD}) impulse[i][column] = 0.0;
+      for (int column : {FluidAhead::AHEAD_X, FluidAhead::AHEAD_Y, FluidAhead::KNOWS_AHEAD}) ahead[i][column] = 0.0;
 }

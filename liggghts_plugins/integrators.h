@@ -20,7 +20,7 @@ void require_one_integrator(LAMMPS *lmp, const Fix &asking);
 /// away without a word to other fixes.
 double **fluid_columns(LAMMPS *lmp, const char *name);
 
-/// Velocities of the group's atoms are from now on what they seem: nothing in them is in advance of the fluid's impulse (FluidImpulse).
+/// Velocities of the group's atoms are from now on what they seem: nothing in them is in advance of the fluid's impulse (FluidAhead).
 void forget_what_is_ahead(LAMMPS *lmp, const Fix &asking);
 
 }  // namespace LAMMPS_NS

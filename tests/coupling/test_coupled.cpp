@@ -6,7 +6,6 @@
 
 using namespace swellflow_test;
 using swellflow::FluidImpulse;
-using swellflow::FluidState;
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include "fix_property_atom.h"
 
 using namespace swellflow_test;
+using swellflow::FluidHome;
 using swellflow::FluidImpulse;
-using swellflow::FluidState;
 
 namespace {
 
@@ -178,7 +178,7 @@ private:
   /// The impulse that the fluid gave to a point; the rest of what it received is the inertia of the fluid inside.
   double from_fluid(int i, int d) const
   {
-    return property(FluidImpulse::NAME)[i][FluidImpulse::RECEIVED_X + d] - fluid_step * property(FluidState::NAME)[i][FluidState::INNER_FORCE_X + d];
+    return property(FluidImpulse::NAME)[i][FluidImpulse::RECEIVED_X + d] - fluid_step * property(FluidHome::NAME)[i][FluidHome::INNER_FORCE_X + d];
   }
 
   double torque_of_walls() const

@@ -20,7 +20,8 @@ public:
     box("0 1 0 1");
     script("create_objects disk 0.5 0.5 diameter 0.2 points 10 density 1000 cds 0.1\n"
            "fix fluid_law all property/atom fluid_law vector yes no no 0 0 0 0\n"
-           "fix fluid_impulse all property/atom fluid_impulse vector yes no no 0 0 0 0 0 0\n"
+           "fix fluid_impulse all property/atom fluid_impulse vector yes no no 0 0 0\n"
+           "fix fluid_ahead all property/atom fluid_ahead vector yes no no 0 0 0 0 0\n"
            "fix move all nve/cds\ntimestep 1e-3\nrun 0\n");
     for (int i = 0; i < atom()->nlocal; i++) {
       double *law = property("fluid_law")[i];
@@ -92,9 +93,10 @@ TEST(DryMotion, ALawThatWasTakenOutIsNotFelt)
   scene.box("0 1 0 1");
   scene.script("create_atoms 1 single 0.5 0.5 0 units box\nset group all diameter 0.1 density 1000\nfix move all nve/cds\n"
                "fix fluid_law all property/atom fluid_law vector yes no no 0 1 0 0\n"
-               "fix fluid_impulse all property/atom fluid_impulse vector yes no no 0 0 0 0 0 0\ntimestep 1e-3\nrun 10\n");
+               "fix fluid_impulse all property/atom fluid_impulse vector yes no no 0 0 0\n"
+           "fix fluid_ahead all property/atom fluid_ahead vector yes no no 0 0 0 0 0\ntimestep 1e-3\nrun 10\n");
   const double gained = scene.state().at(1)[2];
   EXPECT_GT(gained, 0.0);
-  scene.script("unfix fluid_impulse\nunfix fluid_law\nrun 10 pre no\nrun 10\n");
+  scene.script("unfix fluid_impulse\nunfix fluid_ahead\nunfix fluid_law\nrun 10 pre no\nrun 10\n");
   EXPECT_EQ(scene.state().at(1)[2], gained);
 }

@@ -5,9 +5,9 @@
 #include "fix_property_atom.h"
 
 using namespace swellflow_test;
-using swellflow::FluidImpulse;
+using swellflow::FluidAhead;
 using swellflow::FluidLaw;
-using swellflow::FluidState;
+using swellflow::FluidHome;
 
 namespace {
 
@@ -87,11 +87,11 @@ private:
       for (int d = 0; d < 2; d++) sum[d] += atom()->rmass[i] * velocity(i, d);
     });
   }
-  double velocity(int i, int d) const { return atom()->v[i][d] - property(FluidImpulse::NAME)[i][FluidImpulse::AHEAD_X + d]; }
+  double velocity(int i, int d) const { return atom()->v[i][d] - property(FluidAhead::NAME)[i][FluidAhead::AHEAD_X + d]; }
   Plane of_fluid_inside() const
   {
     const Sums sums = of_objects([this](int i, Plane &sum) {
-      for (int d = 0; d < 2; d++) sum[d] += property(FluidState::NAME)[i][FluidState::INNER_FORCE_X + d];
+      for (int d = 0; d < 2; d++) sum[d] += property(FluidHome::NAME)[i][FluidHome::INNER_FORCE_X + d];
     });
     return {sums[0][0] + sums[1][0], sums[0][1] + sums[1][1]};
   }
