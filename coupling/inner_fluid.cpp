@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "liggghts_plugins/fix_objects.h"
 #include "liggghts_plugins/fluid_columns.h"
@@ -26,16 +25,14 @@ template <class Visit> void for_each_own_bearing(const ObjectPoints &object, con
   });
 }
 
-/// The smaller one, none where it has turned round: what can be trusted to go on, however long the fluid's step is against the time of a contact.
-double lasting(double now, double before) { return now * before > 0.0 ? std::copysign(std::min(std::abs(now), std::abs(before)), now) : 0.0; }
-
-/// Of the contacts' forces and torque, as they are now; the next step finds these in the points' state.
+/// The running mean of the contacts' forces and torque over some two fluid steps, kept in the points' state: what can be trusted to go on, however long the fluid's step is against the
+/// time of a contact.
 Eigen::Vector3d lasting_contact(const ObjectPoints &object, const DemEngine &points, const Eigen::Vector3d &now)
 {
   Eigen::Vector3d result = Eigen::Vector3d::Zero();
   for_each_own_bearing(object, points, [&](int own, int) {
-    double *before = points.state[own] + FluidState::CONTACT_X;
-    for (int c = 0; c < 3; ++c) result[c] = lasting(now[c], std::exchange(before[c], now[c]));
+    double *mean = points.state[own] + FluidState::CONTACT_X;
+    for (int c = 0; c < 3; ++c) result[c] = mean[c] += 0.5 * (now[c] - mean[c]);
   });
   return result;
 }

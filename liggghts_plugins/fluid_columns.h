@@ -57,7 +57,7 @@ struct FluidState {
     RETURNED_X,        // acceleration for which it is returned in the present fluid step
     RETURNED_Y,
     RETURNED_SPIN,
-    CONTACT_X,         // force and torque of its contacts when the last fluid step began
+    CONTACT_X,         // force and torque of its contacts, running mean
     CONTACT_Y,
     CONTACT_TURN,
     INNER_AREA,        // of the hub of an object that inflates: what fluid there is inside; 0: not known yet
