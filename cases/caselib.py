@@ -44,17 +44,20 @@ def mpi_environment(grace=1):
 
 
 def case_names():
-    return sorted(path.parent.name for path in CASES.glob("*/in.*") if path.name == "in." + path.parent.name)
+    return sorted(path.name for path in CASES.iterdir() if Case(path.name).script.exists())
 
 
 class Case:
+    """An input script of the program, in.NAME; or a study of many runs in Python, `study` (see study.py). NAME/SCENE is a scene that study NAME alone runs."""
+
     def __init__(self, name):
         self.name = name
         self.folder = CASES / name
-        self.script = self.folder / f"in.{name}"
+        self.is_study = (self.folder / "study").exists()
+        self.script = self.folder / ("study" if self.is_study else f"in.{self.folder.name}")
 
     def declared_variables(self):
-        """What -var can set: {name: default}, in the script's order."""
+        """What -var can set: {name: default}, in the script's order; a study's docstring has them as an input script does."""
         pattern = re.compile(r"^\s*variable\s+(\S+)\s+index\s+([^#\n]*)", re.M)
         return {name: default.strip() for name, default in pattern.findall(self.script.read_text())}
 

@@ -20,14 +20,16 @@ def arguments(usage):
     return [caselib.Run(folder) for folder in words[:place] + words[place + 2:]], picture
 
 
-def panels(number, width=5.2, height=4.2):
-    figure, row = plt.subplots(1, number, figsize=(width * number, height), squeeze=False)
-    return figure, row[0]
+def panels(number, width=5.2, height=4.2, rows=1):
+    columns = -(-number // rows)
+    figure, grid = plt.subplots(rows, columns, figsize=(width * columns, height * rows), squeeze=False)
+    return figure, grid.flatten()
 
 
-def save(figure, picture):
+def save(figure, picture, grid=True):
     for axes in figure.axes:
-        axes.grid(alpha=0.3)
+        if grid:
+            axes.grid(alpha=0.3)
         if axes.get_legend_handles_labels()[1]:
             axes.legend(fontsize=8)
     figure.tight_layout()

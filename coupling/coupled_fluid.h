@@ -37,6 +37,7 @@ public:
   void finish_step(const std::vector<ObjectPoints> &objects) override;
 
   FluidReport report() override;
+  double largest_speed() override { return flow_.max_speed_sum(); }
   FieldBlock field_block() const override;
   std::vector<FieldInfo> fields() const override;
   void copy_field(const std::string &name, std::vector<double> &values) const override;

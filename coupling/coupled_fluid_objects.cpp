@@ -34,7 +34,12 @@ template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &o
 template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &object) const
 {
   const double *hub = points_.object_point[object.hub], natural = hub[Topology::LONGEST_SIDE] * hub[Topology::LAMBDA];
-  return std::max(1, static_cast<int>(std::ceil(natural / (options_.marker_gap * flow_.grid().h) - 1e-9)));
+  const double wanted = std::ceil(natural / (options_.marker_gap * flow_.grid().h) - 1e-9);
+  constexpr double most = 10000.0;
+  if (!(wanted <= most))
+    throw std::runtime_error("a ring point must have at most " + std::to_string(static_cast<int>(most)) + " markers, but the natural distance of some is " + std::to_string(natural) +
+                             ": swell less, use more 'points', or a larger 'marker_gap'");
+  return std::max(1, static_cast<int>(wanted));
 }
 
 /// What each ring point feels of the forces that all markers carry, and, last, the hub.

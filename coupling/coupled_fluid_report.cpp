@@ -62,7 +62,7 @@ template <int Dim> void CoupledFluid<Dim>::require_finite_flow() const
   int finite = std::isfinite(max_divergence_);
   MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, flow_.grid().comm);
   if (!finite)
-    throw std::runtime_error("the fluid's velocity must stay finite, but it is not after a fluid step of length " + std::to_string(last_dt_) +
+    throw NotFinite("the fluid's velocity must stay finite, but it is not after a fluid step of length " + std::to_string(last_dt_) +
                              ": use a smaller 'timestep' or 'every', 'cfl 0.5', or 'advection bounded' where the grid is too coarse for the flow");
 }
 

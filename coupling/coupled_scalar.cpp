@@ -49,8 +49,19 @@ void CoupledScalar<Dim>::step(const std::array<double, 6> &side_values, const st
   transport_.advance(fluid_.last_step(), flow.face_velocity(), flow.has_sources());
   fluid_.markers().place_in_cells(fluid_.marker_places());
   if (withdrawal) withdraw(*withdrawal);
+  require_finite();
   fluid_.markers().interpolate(transport_.values_around(), at_markers_);
   fluid_.hear_markers(at_markers_, met);
+}
+
+/// Ends the run on all ranks alike.
+template <int Dim> void CoupledScalar<Dim>::require_finite() const
+{
+  double total = transport_.total_here();
+  MPI_Allreduce(MPI_IN_PLACE, &total, 1, MPI_DOUBLE, MPI_SUM, grid_.comm);
+  if (!std::isfinite(total))
+    throw NotFinite("the scalar '" + name_ + "' must stay finite, but is not after a fluid step of length " + std::to_string(fluid_.last_step()) +
+                             ": give it smaller values or a smaller 'diffusivity', or use a smaller 'timestep' or 'every'");
 }
 
 template <int Dim> void CoupledScalar<Dim>::withdraw(const std::vector<double> &by_point)

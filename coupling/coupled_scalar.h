@@ -26,6 +26,7 @@ public:
 
 private:
   void withdraw(const std::vector<double> &by_point);
+  void require_finite() const;
   std::array<int, Dim> cell_of(const Triple &place) const;
 
   CoupledFluid<Dim> &fluid_;

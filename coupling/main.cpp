@@ -6,6 +6,7 @@
 #include <cstring>
 #include <exception>
 #include <initializer_list>
+#include <string>
 
 #include "coupling/coupled_fluid.h"
 #include "coupling/output/vtk_output.h"
@@ -13,6 +14,7 @@
 #include "input.h"
 #include "lammps.h"
 #include "library.h"
+#include "liggghts_plugins/liggghts_version.h"
 #include "liggghts_plugins/register_styles.h"
 #include "liggghts_plugins/stop_request.h"
 #include "liggghts_plugins/stop_signals.h"
@@ -62,7 +64,9 @@ int run_script(int argc, char **argv, MPI_Comm failures)
     if (stopped) swellflow::stop_signals::limit_finalize();
     return 0;
   } catch (const std::exception &error) {
-    if (swellflow::agree_on_failure(failures, error.what())) report(static_cast<LAMMPS *>(handle), error.what());
+    auto *lmp = static_cast<LAMMPS *>(handle);
+    const std::string message = swellflow::message_of(error, lmp ? swellflow::command_of(lmp) : "");
+    if (swellflow::agree_on_failure(failures, message)) report(lmp, message.c_str());
     return 1;
   }
 }

@@ -2,10 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
 
 #include "fluid/advection.h"
 
 namespace swellflow {
+
+namespace {
+
+constexpr int most_sub_steps = 10000;  // with more the flow is not worth following
+
+}  // namespace
 
 template <int Dim>
 ScalarTransport<Dim>::ScalarTransport(const Grid<Dim> &grid, const Layout<Dim> &layout, double diffusivity, const Sides &sides)
@@ -61,7 +69,14 @@ template <int Dim> int ScalarTransport<Dim>::sub_steps_for(double dt) const
     }
   });
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, grid_.comm);
-  return std::max(1, static_cast<int>(std::ceil(largest * dt / grid_.h)));
+  const double wanted = std::ceil(largest * dt / grid_.h);
+  if (!(wanted <= most_sub_steps)) {
+    std::ostringstream problem;
+    problem << "a scalar must follow its fluid in at most " << most_sub_steps << " sub-steps of a fluid step, but would take " << wanted
+            << ": use a smaller 'timestep' or 'every', or 'cfl 0.5'";
+    throw std::runtime_error(problem.str());
+  }
+  return std::max(1, static_cast<int>(wanted));
 }
 
 /// Heun's method as a mean of states (Shu & Osher, J. Comput. Phys. 77, 1988): c1 = c + dt H(c), c <- (c + c1 + dt H(c1)) / 2.

@@ -1,6 +1,5 @@
 #include "checkpoint_commands.h"
 
-#include <cstring>
 #include <string>
 
 #include "checkpoint_file.h"
@@ -8,7 +7,9 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_checkpoint.h"
+#include "liggghts_version.h"
 #include "options.h"
+#include "say.h"
 #include "universe.h"
 #include "update.h"
 
@@ -31,13 +32,6 @@ std::string name_on(const std::string &command, LAMMPS *lmp, int narg, char **ar
     if (is_unfinished(name)) throw OptionError(command + ": '" + name + "' is what unfinished files are called: use another name than one that ends with '.writing'");
   });
   return name;
-}
-
-void say(LAMMPS *lmp, const std::string &line)
-{
-  if (lmp->comm->me != 0) return;
-  for (FILE *out : {lmp->screen, lmp->logfile})
-    if (out) fprintf(out, "%s\n", line.c_str());
 }
 
 /// Rank 0 looks, all know.
@@ -80,11 +74,10 @@ void read_checkpoint(LAMMPS *lmp, int narg, char **arg, const StockCommand &stoc
 {
   CheckpointFile file = found_file(lmp, name_on("read_restart", lmp, narg, arg));
   // LIGGGHTS warns when the version in the file is not its own.
-  char *mark = strstr(lmp->universe->version, version_mark);
-  if (!file.checked && mark) *mark = '\0';
+  if (!file.checked) unmark_version(*lmp->universe);
   char *words[] = {file.name.data()};
   stock(1, words);
-  if (!file.checked && mark) *mark = version_mark[0];
+  mark_version(*lmp->universe);
   say(lmp, !file.checked ? "  restart file of LIGGGHTS itself: no checksum, no fluid"
                          : "  " + file.name + ": complete" + (file.fluid_end > file.fluid_begin ? ", with a fluid" : ", without a fluid"));
   make_checkpoint(lmp)->set_source(file);

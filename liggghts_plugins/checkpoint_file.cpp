@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "liggghts_version.h"
+
 namespace swellflow {
 
 namespace {

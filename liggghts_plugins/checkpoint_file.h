@@ -11,9 +11,6 @@ namespace swellflow {
 inline constexpr const char *unfinished = ".writing";
 bool is_unfinished(const std::string &file);
 
-/// What LIGGGHTS' version is called in the head of our files; they cannot be complete without an end mark.
-inline constexpr const char *version_mark = ", swellflow";
-
 struct CheckpointFile {
   std::string name;
   long fluid_begin = 0, fluid_end = 0;  ///< equal: it holds no fluid

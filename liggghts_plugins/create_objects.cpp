@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -32,6 +33,7 @@ void CreateObjects::command(int narg, char **arg)
     objects_ = std::move(list.objects);
     remark_ = list.remark;
     overlap_ = list.overlap;
+    require_room("create_objects", n_points());
     for (const auto &object : objects_) check_place(object);
     check_overlap();
   });
@@ -40,10 +42,17 @@ void CreateObjects::command(int narg, char **arg)
 
 swellflow::ObjectScene CreateObjects::scene() const
 {
-  return {.text_of_file = [this](const std::string &name) { return text_of_file(lmp, "create_objects", name); },
+  return {.points = points_,
+          .text_of_file = [this](const std::string &name) { return text_of_file(lmp, "create_objects", name); },
           .box = [this] { return box(); },
           .region = [this](const std::string &id) { return room_of_region(lmp, id, box()); },
-          .existing = [this] { return existing_objects(); }};
+          .existing = [this] { return existing_objects(); },
+          .require_room = [this](const std::string &place, double points) { require_room(place, points); }};
+}
+
+double CreateObjects::n_points() const
+{
+  return std::accumulate(objects_.begin(), objects_.end(), 0.0, [](double sum, const auto &object) { return sum + object.shape->ring.size() + 1.0; });
 }
 
 void CreateObjects::create()

@@ -12,7 +12,8 @@ namespace LAMMPS_NS {
 
 class CreateObjects : protected Pointers {
  public:
-  explicit CreateObjects(class LAMMPS *lmp) : Pointers(lmp) {}
+  /// `points`: on the ring of an object whose line does not say.
+  CreateObjects(class LAMMPS *lmp, int points) : Pointers(lmp), points_(points) {}
   void command(int narg, char **arg);
 
  private:
@@ -22,18 +23,21 @@ class CreateObjects : protected Pointers {
   };
 
   void require_settings() const;
+  void require_room(const std::string &place, double points) const;
   void check_place(const swellflow::NewObject &object) const;
   void check_overlap() const;
   void warn_of_contacts(const std::vector<swellflow::Footprint> &footprints) const;
   std::vector<swellflow::ExistingObject> existing_objects() const;
   swellflow::PlaneBox box() const;
   swellflow::ObjectScene scene() const;
+  double n_points() const;
 
   void create();
   void create_point(int object, int index, int tag, int molecule);
   void describe_points(int first) const;
   void publish(int n_points) const;
 
+  int points_;
   std::vector<swellflow::NewObject> objects_;
   std::vector<OwnPoint> own_points_;
   std::string remark_;

@@ -10,6 +10,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_objects.h"
+#include "memory_room.h"
 #include "modify.h"
 #include "objects/outline.h"
 #include "options.h"
@@ -42,6 +43,16 @@ void CreateObjects::require_settings() const
   if (!problem.empty()) throw swellflow::OptionError("create_objects: " + problem);
   if (modify->nfix_restart_peratom)
     throw swellflow::OptionError("create_objects: objects can be added to those of a restart file only after a run: add 'run 0' above");
+}
+
+void CreateObjects::require_room(const std::string &place, double points) const
+{
+  constexpr double bytes_a_point = 1000.0;  // of LIGGGHTS' arrays and lists
+  const double all = static_cast<double>(atom->natoms) + points;
+  if (all >= MAXSMALLINT)
+    throw swellflow::OptionError(place + ": LIGGGHTS numbers points up to " + std::to_string(MAXSMALLINT) + ", but there would be " + swellflow::rounded(all) +
+                                 ": make fewer objects, or with fewer 'points'");
+  swellflow::require_memory(world, place, swellflow::rounded(points) + " points", bytes_a_point * points);
 }
 
 swellflow::PlaneBox CreateObjects::box() const

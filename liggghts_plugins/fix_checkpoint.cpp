@@ -16,7 +16,6 @@
 #include "error.h"
 #include "fix_contact_history.h"
 #include "fix_fluid_ib.h"
-#include "fix_property_atom.h"
 #include "force.h"
 #include "modify.h"
 #include "options.h"
@@ -30,30 +29,26 @@ using namespace swellflow;
 FixCheckpoint::FixCheckpoint(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), stop_(lmp)
 {
   if (strcmp(id, ID) != 0) error->fix_error(FLERR, this, "this fix is made with the box, under the id 'checkpoint': remove it from the script");
-  restart_global = restart_file = 1;
+  restart_global = restart_file = restart_peratom = 1;
   nevery = 1;
   // A file that grows too large is to be told as a full disk is, not to end the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  constexpr int restart_data = 1;
+  atom->add_callback(restart_data);
+}
+
+FixCheckpoint::~FixCheckpoint()
+{
+  constexpr int restart_data = 1;
+  atom->delete_callback(id, restart_data);
 }
 
 int FixCheckpoint::setmask() { return FixConst::PRE_INITIAL_INTEGRATE | FixConst::END_OF_STEP; }
-
-void FixCheckpoint::post_create()
-{
-  const char *start[] = {"checkpoint_force", "all", "property/atom", "checkpoint_force", "vector", "yes", "no", "no"};
-  std::vector<char *> arguments;
-  for (const char *word : start) arguments.push_back(const_cast<char *>(word));
-  arguments.resize(arguments.size() + N_COLUMNS, const_cast<char *>("0"));
-  modify->add_fix(arguments.size(), arguments.data());
-  forces_ = static_cast<FixPropertyAtom *>(modify->fix[modify->find_fix("checkpoint_force")]);
-}
 
 bool FixCheckpoint::continues() const { return restored_ && state_.in_run != 0.0 && static_cast<bigint>(state_.step) == update->ntimestep; }
 
 void FixCheckpoint::init()
 {
-  if (modify->find_fix("checkpoint_force") < 0)
-    error->fix_error(FLERR, this, "fix 'checkpoint_force' holds what restart files need, but is gone: remove 'unfix checkpoint_force'");
   mark_names();
   if (restored_ && static_cast<bigint>(state_.step) == update->ntimestep) {
     update->atime = state_.time;
@@ -69,6 +64,7 @@ void FixCheckpoint::init()
 void FixCheckpoint::setup(int)
 {
   require_fitting_intervals();
+  for (const RestartLine &line : restart_lines(*output)) require_writable(line, line.every ? (update->ntimestep / line.every + 1) * line.every : update->ntimestep);
   warn_of_end_within_fluid_step();
   if (continues() && sort_every_ > 0 && force->pair) {
     atom->sortfreq = sort_every_;
@@ -81,35 +77,12 @@ void FixCheckpoint::setup(int)
   source_ = {};
 }
 
-/* ----------------------------------------------------------------------
-   Forces are made with the velocities within a step. When a run begins
-   they are made anew, with others: to go on they have to be as they were.
-------------------------------------------------------------------------- */
-
 void FixCheckpoint::pre_initial_integrate()
 {
   if (!find_fluid(lmp)) stop_.look_now_and_then();
   if (!restored_) return;
   restored_ = false;
   if (state_.in_run != 0.0 && static_cast<bigint>(state_.step) + 1 == update->ntimestep) restore_forces();
-}
-
-void FixCheckpoint::restore_forces()
-{
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *kept = forces_->array_atom[i];
-    for (int d = 0; d < 3; d++) atom->f[i][d] = kept[FORCE_X + d];
-    for (int d = 0; d < 3 && atom->torque_flag; d++) atom->torque[i][d] = kept[TORQUE_X + d];
-  }
-}
-
-void FixCheckpoint::note_forces()
-{
-  for (int i = 0; i < atom->nlocal; i++) {
-    double *kept = forces_->array_atom[i];
-    for (int d = 0; d < 3; d++) kept[FORCE_X + d] = atom->f[i][d];
-    for (int d = 0; d < 3; d++) kept[TORQUE_X + d] = atom->torque_flag ? atom->torque[i][d] : 0.0;
-  }
 }
 
 /* ----------------------------------------------------------------------
@@ -167,19 +140,23 @@ void FixCheckpoint::require_whole_fluid_step(const std::string &place) const
 
 /* ----------------------------------------------------------------------
    LIGGGHTS writes after the end of the step: it would not tell what is to
-   be done where it cannot
+   be done where it cannot. Tried when a run begins, too, not hours later.
 ------------------------------------------------------------------------- */
 
 void FixCheckpoint::end_of_step()
 {
   stop_.end_run_if_agreed();
   if (next_restart(*output) != update->ntimestep) return;
-  for (const RestartLine &line : restart_lines(*output))
-    for (char **name : line.names) {
-      std::string file = *name;
-      if (const auto star = file.find('*'); star != std::string::npos) file.replace(star, 1, std::to_string(update->ntimestep));
-      require_writable(file);
-    }
+  for (const RestartLine &line : restart_lines(*output)) require_writable(line, update->ntimestep);
+}
+
+void FixCheckpoint::require_writable(const RestartLine &line, bigint step)
+{
+  for (char **name : line.names) {
+    std::string file = *name;
+    if (const auto star = file.find('*'); star != std::string::npos) file.replace(star, 1, std::to_string(step));
+    require_writable(file);
+  }
 }
 
 void FixCheckpoint::require_writable(const std::string &file)
@@ -211,11 +188,11 @@ void FixCheckpoint::fail(const std::string &file, const std::string &reason)
 
 void FixCheckpoint::write_restart(FILE *fp)
 {
-  note_forces();
-  // Between two new neighbour lists what pairs of atoms remember is with the list, not with the atoms.
+  // Between two new neighbour lists what pairs of atoms remember is with the list, not with the atoms; and the room that an atom gets for its contacts,
+  // those with a mesh too (contacthistory/mesh), was counted when the last list was made.
   if (!in_command_)
     for (int k = 0; k < modify->nfix; k++)
-      if (strcmp(modify->fix[k]->style, "contacthistory") == 0) modify->fix[k]->setup_pre_exchange();
+      if (strncmp(modify->fix[k]->style, "contacthistory", strlen("contacthistory")) == 0) modify->fix[k]->setup_pre_exchange();
   if (comm->me != 0) return;
   const State now{in_command_ ? 0.0 : 1.0, static_cast<double>(update->ntimestep), update->atime, static_cast<double>(update->atimestep),
                   static_cast<double>(atom->nextsort)};
@@ -228,6 +205,7 @@ void FixCheckpoint::restart(char *buffer)
 {
   memcpy(&state_, buffer, sizeof state_);
   restored_ = true;
+  if (state_.in_run != 0.0 && modify->find_fix(KEPT) < 0) add_column();
 }
 
 void FixCheckpoint::write_restart_file(char *name)

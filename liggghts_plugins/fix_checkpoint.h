@@ -11,15 +11,16 @@
 namespace LAMMPS_NS {
 
 class FixPropertyAtom;
+struct RestartLine;
 
 class FixCheckpoint : public Fix {
  public:
   static constexpr const char *ID = "checkpoint";
 
   FixCheckpoint(class LAMMPS *, int, char **);
+  ~FixCheckpoint() override;
 
   int setmask() override;
-  void post_create() override;
   void init() override;
   void setup(int) override;
   void pre_initial_integrate() override;
@@ -27,9 +28,18 @@ class FixCheckpoint : public Fix {
   void write_restart(FILE *) override;
   void write_restart_file(char *) override;
   void restart(char *) override;
+  // Forces and torques, which LIGGGHTS makes anew: out of the atoms, and back into a column that is there only in a run that goes on.
+  int size_restart(int) override { return 1 + N_COLUMNS; }
+  int maxsize_restart() override { return size_restart(0); }
+  int pack_restart(int i, double *values) override;
+  void unpack_restart(int i, int nth) override;
 
   /// The restart file that the scene comes from, until the first run.
-  void set_source(const swellflow::CheckpointFile &source) { source_ = source; }
+  void set_source(const swellflow::CheckpointFile &source)
+  {
+    source_ = source;
+    read_from_ = source.name;
+  }
   const swellflow::CheckpointFile &source() const { return source_; }
   /// Whether the run that begins goes on within another, which wrote the file: what a set-up would work out anew is as it was, then.
   bool continues() const;
@@ -45,28 +55,32 @@ class FixCheckpoint : public Fix {
   void require_whole_fluid_step(const std::string &place) const;
   /// Empty: none was written.
   const std::string &last_good() const { return last_good_; }
+  /// That, or the one that the scene comes from; empty: neither.
+  const std::string &to_go_on_from() const { return last_good_.empty() ? read_from_ : last_good_; }
 
  private:
   /// What LIGGGHTS' own restart data leave out.
   struct State {
     double in_run, step, time, time_step, next_sort;
   };
+  static constexpr const char *KEPT = "checkpoint_force";  // name of that column
   enum Column { FORCE_X, FORCE_Y, FORCE_Z, TORQUE_X, TORQUE_Y, TORQUE_Z, N_COLUMNS };
 
+  void add_column();
+  FixPropertyAtom &kept_forces();
   void mark_names();
   void require_fitting_intervals() const;
   void warn_of_end_within_fluid_step() const;
+  void require_writable(const RestartLine &line, bigint step);
   void require_writable(const std::string &file);
-  void note_forces();
   void require_all_atoms(const std::string &file, const std::vector<int> &sizes) const;
   [[noreturn]] void fail(const std::string &file, const std::string &reason);
 
-  FixPropertyAtom *forces_ = nullptr;
   swellflow::CheckpointFile source_;
   State state_{};
   bool restored_ = false, in_command_ = false;
   int sort_every_ = 0;
-  std::string last_good_;
+  std::string last_good_, read_from_;
   StopRequest stop_;
 };
 

@@ -15,21 +15,23 @@
 #include "fluid_columns.h"
 #include "force.h"
 #include "gravity.h"
+#include "guard.h"
 #include "memory_room.h"
 #include "modify.h"
 #include "options.h"
 #include "output.h"
 #include "per_atom_values.h"
 #include "restart_lines.h"
+#include "say.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace swellflow;
 
-FixFluidIb::FixFluidIb(LAMMPS *lmp, int narg, char **arg, const FluidPartnerFactory &make_partner) :
+FixFluidIb::FixFluidIb(LAMMPS *lmp, int narg, char **arg, const FluidPartnerFactory &make_partner, const AccuracyPreset &accuracy) :
   Fix(lmp, narg, arg), make_partner_(make_partner), phases_(lmp), stop_(lmp)
 {
-  or_stop(lmp, [&] { parse(narg, arg); });
+  or_stop(lmp, [&] { parse(narg, arg, accuracy); });
   nevery = 1;
   scalar_flag = vector_flag = 1;
   size_vector = 21;
@@ -43,7 +45,7 @@ FixFluidIb::FixFluidIb(LAMMPS *lmp, int narg, char **arg, const FluidPartnerFact
   }
 }
 
-void FixFluidIb::parse(int narg, char **arg)
+void FixFluidIb::parse(int narg, char **arg, const AccuracyPreset &accuracy)
 {
   Arguments line(std::string("fix ") + arg[0] + " fluid/ib", narg - 3, arg + 3);
   FluidScript::Box box;
@@ -53,7 +55,9 @@ void FixFluidIb::parse(int narg, char **arg)
     box_low_[d] = domain->boxlo[d];
     box_high_[d] = domain->boxhi[d];
   }
-  script_ = std::make_unique<FluidScript>(line, box);
+  box.smallest_object = [this] { return smallest_object(); };
+  script_ = std::make_unique<FluidScript>(line, box, accuracy);
+  if (!script_->remark().empty()) say(lmp, script_->remark());
   constexpr double bytes_a_cell = 100.0;  // of a fluid without objects and scalars
   const auto &cells = script_->options().cells;
   require_memory(world, line.place(), std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " cells", bytes_a_cell * cells[0] * cells[1]);
@@ -128,6 +132,7 @@ void FixFluidIb::continue_from_file()
 void FixFluidIb::setup(int)
 {
   run_end_ = update->laststep;
+  worst_ = {};
   const FixObjects *known = find_objects(lmp);
   if (known) known->require_whole_objects(*this);
   require_same_step();
@@ -181,9 +186,14 @@ void FixFluidIb::end_of_step()
   if (++dem_step_ < dem_steps_) return;
   dem_step_ = 0;
   whole_steps_++;
-  partner_->finish_step(objects());
+  try {
+    partner_->finish_step(objects());
+  } catch (const NotFinite &what_happened) {
+    end_run(lmp, *this, what_happened.what());
+  }
   stop_.end_run_if_agreed();
   reported_step_ = -1;
+  note_accuracy();
 }
 
 void FixFluidIb::post_run()

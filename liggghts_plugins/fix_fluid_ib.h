@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "fix.h"
+#include "fluid_accuracy.h"
 #include "fluid_partner.h"
 #include "fluid_script.h"
+#include "limits.h"
 #include "phase_line.h"
 #include "stop_request.h"
 
@@ -14,9 +16,9 @@ namespace LAMMPS_NS {
 
 class FixPropertyAtom;
 
-class FixFluidIb : public Fix {
+class FixFluidIb : public Fix, public swellflow::KnowsFigures {
  public:
-  FixFluidIb(class LAMMPS *, int narg, char **arg, const swellflow::FluidPartnerFactory &make_partner);
+  FixFluidIb(class LAMMPS *, int narg, char **arg, const swellflow::FluidPartnerFactory &make_partner, const swellflow::AccuracyPreset &accuracy);
 
   int setmask() override;
   void post_create() override;
@@ -28,11 +30,14 @@ class FixFluidIb : public Fix {
   void post_run() override;
   double compute_scalar() override;
   double compute_vector(int n) override;
+  void add_limits(std::vector<swellflow::Figure> &figures) override;
+  void add_accuracy(std::vector<swellflow::Figure> &figures) override;
 
   /// Null before the first run.
   const swellflow::FluidPartner *partner() const { return partner_.get(); }
   swellflow::FluidPartner *partner() { return partner_.get(); }
   double density() const { return script_->options().density; }
+  double cell() const;  ///< its width
   double kinematic_viscosity() const { return script_->options().kinematic_viscosity; }
   /// Between begin and end of a DEM step: whether it is the first, or the last, of its fluid step.
   bool first_dem_step() const { return dem_step_ == 0; }
@@ -45,7 +50,8 @@ class FixFluidIb : public Fix {
   swellflow::SideKind side(int k) const { return script_->options().sides[k]; }
 
  private:
-  void parse(int narg, char **arg);
+  void parse(int narg, char **arg, const swellflow::AccuracyPreset &accuracy);
+  double smallest_object() const;
   void require_settings();
   void require_sides();
   void require_integrators();
@@ -53,6 +59,13 @@ class FixFluidIb : public Fix {
   void require_way_out();
   const class FixSwell *inflating_swell() const;
   void warn_without_resistance();
+  void add_cfl_limit(std::vector<swellflow::Figure> &figures);
+  swellflow::Figure cfl_figure(double value, const std::string &where) const;
+  void add_limits_of_objects(std::vector<swellflow::Figure> &figures);
+  bool moves_objects() const;
+  swellflow::Figure viscous_figure(int dem_steps) const;
+  double largest_marker_gap(const swellflow::ObjectPoints &object) const;
+  void note_accuracy();
   void make_partner();
   void continue_from_file();
   int up_to_next_stop(int dem_steps) const;
@@ -75,8 +88,10 @@ class FixFluidIb : public Fix {
   int dem_step_ = 0;    // within the fluid step; 0: none is under way
   bigint whole_steps_ = 0, steps_before_run_ = 0;
   bool warned_ = false;
+  bool has_free_objects_ = false;
   swellflow::FluidReport report_;
   bigint reported_step_ = -1;
+  swellflow::FluidAccuracy worst_;  // of the run
   bigint run_end_ = -1;  // of the last run that was set up
 };
 

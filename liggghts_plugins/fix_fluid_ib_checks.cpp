@@ -1,5 +1,8 @@
 // What must hold before a fluid can run, and what users are told when it does not.
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "atom.h"
@@ -18,6 +21,17 @@
 using namespace LAMMPS_NS;
 using namespace swellflow;
 using namespace std::string_literals;
+
+double FixFluidIb::smallest_object() const
+{
+  const FixObjects *known = find_objects(lmp);
+  double smallest = std::numeric_limits<double>::infinity();
+  if (known)
+    for (int i = 0; i < atom->nlocal; i++)
+      if (known->is_point(i)) smallest = std::min(smallest, known->points()[i][FixObjects::DIAMETER]);
+  MPI_Allreduce(MPI_IN_PLACE, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
+  return std::isfinite(smallest) ? smallest : 0.0;
+}
 
 void FixFluidIb::require_settings()
 {

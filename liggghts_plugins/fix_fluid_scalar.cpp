@@ -1,7 +1,6 @@
 #include "fix_fluid_scalar.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "atom.h"
@@ -9,6 +8,7 @@
 #include "fix_fluid_ib.h"
 #include "fix_objects.h"
 #include "fix_property_atom.h"
+#include "guard.h"
 #include "modify.h"
 #include "object_geometry.h"
 #include "objects/outline.h"
@@ -122,7 +122,11 @@ void FixFluidScalar::end_of_step()
   else evaluate();
   const bool uptake = objects_ && script_.uptake() > 0.0;
   if (uptake) ask_for_uptake();
-  scalar_->step(side_values, uptake ? &rates_ : nullptr, met_);
+  try {
+    scalar_->step(side_values, uptake ? &rates_ : nullptr, met_);
+  } catch (const NotFinite &what_happened) {
+    end_run(lmp, *this, what_happened.what());
+  }
   if (objects_) take_in();
 }
 

@@ -41,7 +41,10 @@ FixLubricationCds::FixLubricationCds(LAMMPS *lmp, int narg, char **arg) : Fix(lm
     options.number("minimum", law_.minimum, Range::positive(), "length", "gap below which the force grows no more").required();
     options.parse(line);
     if (!options.given("pair_cutoff")) law_.pair_cutoff = pair_part * law_.wall_cutoff;
-    const double least = std::min(law_.wall_cutoff, law_.pair_cutoff);
+    const double least = std::min(law_.wall_cutoff, law_.pair_cutoff), room = std::min(domain->prd[0], domain->prd[1]);
+    if (law_.wall_cutoff > room || law_.pair_cutoff > room)
+      line.fail("'cutoff' and 'pair_cutoff' must be at most the shorter side of the box, " + swellflow::shown(room) + ", but are " + swellflow::shown(law_.wall_cutoff) + " and " +
+                swellflow::shown(law_.pair_cutoff) + ": lower them");
     if (law_.minimum >= least)
       line.fail("'minimum' must be less than 'cutoff' and 'pair_cutoff' (" + swellflow::rounded(least) + "), but is '" + swellflow::shown(law_.minimum) + "': change it");
   });

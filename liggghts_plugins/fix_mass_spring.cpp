@@ -123,7 +123,6 @@ void FixMassSpring::find_integrators()
 void FixMassSpring::setup(int)
 {
   objects_->require_whole_objects(*this);
-  require_stable_step();
   if (damped()) forget_dashpots_of_solved_objects();
   const bool kept = damped() && dashpot_step_ == update->ntimestep;
   add_forces(damped() && !kept);
@@ -144,7 +143,7 @@ void FixMassSpring::post_force(int)
   totals_step_ = -1;  // a variable may have asked for the values of this step before it came
   // Objects that shrink, or stiffen as they swell, vibrate ever faster; beyond the limit a disturbance grows by a third a step.
   constexpr bigint steps_between_checks = 100;
-  if (update->ntimestep % steps_between_checks == 0) require_stable_step();
+  if (update->ntimestep % steps_between_checks == 0) judge_step();
   add_forces(damped());
 }
 

@@ -6,6 +6,7 @@
 
 #include "fix.h"
 #include "fluid_partner.h"
+#include "limits.h"
 #include "objects/spring_forces.h"
 #include "objects/spring_law.h"
 #include "options.h"
@@ -15,7 +16,7 @@ namespace LAMMPS_NS {
 class FixObjects;
 class FixPropertyAtom;
 
-class FixMassSpring : public Fix {
+class FixMassSpring : public Fix, public swellflow::KnowsFigures {
  public:
   FixMassSpring(class LAMMPS *, int, char **);
 
@@ -31,8 +32,12 @@ class FixMassSpring : public Fix {
   void restart(char *) override;
   double compute_scalar() override;
   double compute_vector(int) override;
+  void add_limits(std::vector<swellflow::Figure> &) override;
+  void add_accuracy(std::vector<swellflow::Figure> &figures) override { add_limits(figures); }
 
   bool acts_on(const swellflow::ObjectPoints &object) const;
+  /// Angular frequency with which the object's size swings about the natural one; 0 where its springs do not move it, or ask for no size.
+  double breathing_frequency(const swellflow::ObjectPoints &object) const;
   /// The object's springs as they are now; what it returns is overwritten by the next call.
   const swellflow::SpringSet &springs_of(const swellflow::ObjectPoints &object) const;
   double energy_of(const swellflow::ObjectPoints &object) const;
@@ -62,7 +67,8 @@ class FixMassSpring : public Fix {
   bool moves_explicitly(const swellflow::ObjectPoints &object) const;
   struct StepLimit { double step_over_limit = 0.0; int object = 0; };  // laid out as MPI_DOUBLE_INT
   StepLimit step_over_limit(double floor) const;
-  void require_stable_step() const;
+  swellflow::Figure figure_of(const StepLimit &limit) const;
+  void judge_step() const;
 
   swellflow::SpringLaw law_;
   double restitution_;

@@ -6,6 +6,7 @@
 #include "error.h"
 #include "fix_mass_spring.h"
 #include "fix_objects.h"
+#include "guard.h"
 #include "modify.h"
 #include "object_geometry.h"
 #include "objects/vibrations.h"
@@ -95,6 +96,21 @@ bool FixMassSpring::moves_explicitly(const ObjectPoints &object) const
   return gives_forces_to(object) && (atom->mask[object.hub] & explicit_groups_);
 }
 
+/* ----------------------------------------------------------------------
+   all springs longer, and all points farther from the hub, by the same
+   factor: omega^2 = sum of k L^2 over sum of m r^2
+------------------------------------------------------------------------- */
+
+double FixMassSpring::breathing_frequency(const ObjectPoints &object) const
+{
+  if (!acts_on(object) || !(atom->mask[object.hub] & (solved_groups_ | explicit_groups_))) return 0.0;
+  double stiffness = 0.0, inertia = 0.0;
+  swellflow::for_each_spring(springs_of(object), [&](int, int, const swellflow::Spring &spring) { stiffness += spring.stiffness * spring.length * spring.length; });
+  const Vector2 hub = plane(atom->x[object.hub]);
+  for_each_point(object, [&](int i) { inertia += atom->rmass[i] * (plane(atom->x[i]) - hub).squaredNorm(); });
+  return std::sqrt(stiffness / inertia);
+}
+
 FixMassSpring::StepLimit FixMassSpring::step_over_limit(double floor) const
 {
   StepLimit largest{floor, 0};
@@ -117,13 +133,23 @@ FixMassSpring::StepLimit FixMassSpring::step_over_limit(double floor) const
   return largest;
 }
 
-void FixMassSpring::require_stable_step() const
+void FixMassSpring::add_limits(std::vector<swellflow::Figure> &figures)
+{
+  if (!objects_ || !objects_->current_everywhere()) return;
+  const StepLimit largest = step_over_limit(0.0);
+  if (largest.object > 0) figures.push_back(figure_of(largest));
+}
+
+swellflow::Figure FixMassSpring::figure_of(const StepLimit &limit) const
+{
+  return {.name = "time step over the longest with which springs are stable", .value = limit.step_over_limit, .watch = 0.95, .poor = 1.0,
+          .place = "object (molecule) " + std::to_string(limit.object) + " and fix " + id,
+          .remedy = "shorten 'timestep' to " + swellflow::rounded(update->dt / limit.step_over_limit) + ", or move the objects with 'nve/cds implicit' or 'rigid/cds'"};
+}
+
+/// In the run: only what is beyond the limit is looked at closely.
+void FixMassSpring::judge_step() const
 {
   const StepLimit largest = step_over_limit(1.0);
-  if (largest.object == 0) return;
-  error->fix_error(FLERR, const_cast<FixMassSpring *>(this),
-                   ("an explicit time step must be shorter than 2 over the highest frequency of each object, which is " +
-                    swellflow::rounded(update->dt / largest.step_over_limit) + " for object (molecule) " + std::to_string(largest.object) +
-                    ", but it is " + swellflow::rounded(update->dt) + " at step " + std::to_string(update->ntimestep) +
-                    ": shorten it, or move the objects with 'nve/cds implicit' or 'rigid/cds'").c_str());
+  if (largest.object > 0) judge(lmp, figure_of(largest));
 }

@@ -11,6 +11,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "guard.h"
 #include "modify.h"
 #include "progress_line.h"
 #include "update.h"
@@ -152,18 +153,20 @@ void FixObjects::list_objects()
   some_follow_ = false;
   for (std::size_t k = 0; k < objects_.size(); k++) {
     objects_[k].ring = &ring_indices_[first_ring_point[k]];
-    some_follow_ = some_follow_ || follows_its_ring(objects_[k].hub);
+    some_follow_ = some_follow_ || (objects_[k].hub >= 0 && follows_its_ring(objects_[k].hub));
   }
 
   Counts now = own_counts();
   now[TORN] = lost > 0;
+  now[FOLLOW] = some_follow_;
   MPI_Allreduce(MPI_IN_PLACE, now.data(), N_COUNTS, MPI_LMP_BIGINT, MPI_SUM, world);
+  some_follow_ = now[FOLLOW] > 0;
   if (now[TORN]) {
     MPI_Allreduce(MPI_IN_PLACE, &lost, 1, MPI_INT, MPI_MAX, world);
     const std::string message = "an object must keep all its points, but object (molecule) " + std::to_string(lost) + " has lost one at step " +
                                 std::to_string(update->ntimestep) +
                                 ": a point left the box or was deleted; use walls, a shorter time step, or delete whole molecules between runs";
-    error->fix_error(FLERR, this, message.c_str());
+    end_run(lmp, *this, message);
   }
   require_all_points(now);
 }
@@ -194,7 +197,7 @@ void FixObjects::require_all_points(const Counts &now)
                                       : std::to_string(gone) + " objects have";
     const std::string message = "an object must keep all its points, but " + who + " lost all of them at step " + std::to_string(update->ntimestep) +
                                 ": left the box or deleted; use walls, a shorter time step, or delete whole molecules between runs";
-    error->fix_error(FLERR, this, message.c_str());
+    end_run(lmp, *this, message);
   }
   counts_ = now;
 }
@@ -236,12 +239,7 @@ void FixObjects::require_same_fixes()
 void FixObjects::pre_initial_integrate() { require_same_fixes(); }
 void FixObjects::end_of_step() { progress_->step(clock_); }
 
-void FixObjects::post_run()
-{
-  progress_->finish(clock_);
-  // Points that are not a number do not trip LIGGGHTS' check of distances, so that there may have been no reneighbouring.
-  require_finite_points();
-}
+void FixObjects::post_run() { progress_->finish(clock_); }
 
 /* ---------------------------------------------------------------------- */
 

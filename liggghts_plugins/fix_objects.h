@@ -86,7 +86,7 @@ class FixObjects : public Fix {
   bool is_point(int i) const { return points()[i][RING_POINTS] > 0.0; }
   /// Whether it is a hub without spokes, which is set to the mean of its ring in every step and must not be integrated.
   bool follows_its_ring(int i) const;
-  /// Whether there are any on this rank, since the last reneighbouring.
+  /// Whether there are any on any rank, since the last reneighbouring.
   bool some_follow_their_ring() const { return some_follow_; }
   /// Of the hub of the object that point `i` belongs to.
   int tag_of_hub(int i) const;
@@ -113,13 +113,15 @@ class FixObjects : public Fix {
   bool find_points(int i, int &hub, int *ring) const;
   void list_objects();
 
-  enum Count { POINTS, OBJECTS, SUM_OF_IDS, TORN, N_COUNTS };
+  enum Count { POINTS, OBJECTS, SUM_OF_IDS, TORN, FOLLOW, N_COUNTS };
   using Counts = std::array<bigint, N_COUNTS>;
   Counts own_counts() const;
   void require_all_points(const Counts &now);
   void require_same_fixes();
 
   void require_ghost_velocities();
+  void hubs_follow();
+  void hubs_follow_early();
   bool overlap_by_design(int i, int j) const;
   void require_exclusions();
 
@@ -134,7 +136,6 @@ class FixObjects : public Fix {
   Extents extents_of_own_objects() const;
   Extents extents_of_unwrapped_objects() const;
   bool is_finite(int i) const;
-  void require_finite_points();
   void fail_not_finite(int object);
   void require_sane(Extents &largest);
   double widest_allowed(int d) const;
@@ -149,6 +150,7 @@ class FixObjects : public Fix {
   int listed_atoms_ = 0, listed_ghosts_ = 0;  // when objects_ was made
   int list_number_ = 0;
   bool some_follow_ = false;
+  bigint followed_at_ = -1;         // step at which hubs have followed before points went to other ranks
   Counts counts_;                   // on all ranks, when the run or the last reneighbouring began
   std::vector<const Fix *> fixes_;  // when the run began
   std::vector<double> radius_cap_;  // per type, what max_rad returns

@@ -15,6 +15,7 @@
 #include "fix_checkpoint.h"
 #include "fix_objects.h"
 #include "force.h"
+#include "guard.h"
 #include "modify.h"
 #include "neigh_request.h"
 #include "neighbor.h"
@@ -157,18 +158,8 @@ double FixObjects::widest_allowed(int d) const
 
 void FixObjects::fail_not_finite(int object)
 {
-  error->fix_error(FLERR, this, ("points must have finite positions and velocities, but object (molecule) " + std::to_string(object) +
-                                 " has one that is infinite or not a number at step " + std::to_string(update->ntimestep) +
-                                 ": use a shorter time step or softer springs").c_str());
-}
-
-void FixObjects::require_finite_points()
-{
-  Largest bad{0.0, 0};
-  for (int i = 0; i < atom->nlocal; i++)
-    if (is_point(i) && !is_finite(i)) bad = {1.0, atom->molecule[i]};
-  MPI_Allreduce(MPI_IN_PLACE, &bad, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
-  if (bad.value > 0.0) fail_not_finite(bad.object);
+  end_run(lmp, *this, "points must have finite positions and velocities, but object (molecule) " + std::to_string(object) + " has one that is infinite or not a number at step " +
+                        std::to_string(update->ntimestep) + ": use a shorter time step or softer springs");
 }
 
 void FixObjects::require_sane(Extents &largest)
@@ -182,7 +173,7 @@ void FixObjects::require_sane(Extents &largest)
                                 ", but object (molecule) " + std::to_string(across.object) + " is " + swellflow::rounded(across.value) +
                                 " wide in " + "xy"[d] + " in a box of " + swellflow::rounded(domain->prd[d]) + " at step " +
                                 std::to_string(update->ntimestep) + ": use a shorter time step or softer springs, or make the box larger";
-    error->fix_error(FLERR, this, message.c_str());
+    end_run(lmp, *this, message);
   }
 }
 
@@ -276,6 +267,7 @@ void FixObjects::restart(char *buffer)
 
 void FixObjects::pre_exchange()
 {
+  hubs_follow_early();
   Extents largest = extents_of_own_objects();
   require_sane(largest);
   if (!widen_cutoffs(largest[REACH].value)) return;

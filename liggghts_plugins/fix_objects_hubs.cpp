@@ -2,8 +2,10 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_checkpoint.h"
 #include "fix_objects.h"
 #include "objects/vector2.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 using swellflow::Vector2;
@@ -41,9 +43,28 @@ void FixObjects::require_ghost_velocities()
    that this rank reckons with.
 ------------------------------------------------------------------------- */
 
-void FixObjects::setup_pre_force(int vflag) { pre_force(vflag); }
+void FixObjects::setup_pre_force(int)
+{
+  const FixCheckpoint *checkpoint = find_checkpoint(lmp);
+  if (!checkpoint || !checkpoint->continues()) hubs_follow();
+}
 
+/// Not twice: a hub next to a border between ranks must not cross it after points have gone to the ranks that own their places.
 void FixObjects::pre_force(int)
+{
+  if (update->ntimestep != followed_at_) hubs_follow();
+}
+
+/// Before points go to other ranks. Own points have moved since ghosts were updated.
+void FixObjects::hubs_follow_early()
+{
+  if (!some_follow_) return;
+  comm->forward_comm();
+  hubs_follow();
+  followed_at_ = update->ntimestep;
+}
+
+void FixObjects::hubs_follow()
 {
   if (!some_follow_) return;
   double **x = atom->x, **v = atom->v;

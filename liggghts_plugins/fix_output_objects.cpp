@@ -131,7 +131,7 @@ void FixOutputObjects::write_lines()
   const std::vector<ObjectMeasures> objects = from_all_ranks(chosen_objects(), world);
   try {
     swellflow::on_rank_0(world, [&] {
-      if (!begun_) file_->begin(times_.time());
+      if (!begun_) file_->begin(times_.own_from());
       file_->append(update->ntimestep, times_.time(), objects);
     });
   } catch (const std::runtime_error &failure) {

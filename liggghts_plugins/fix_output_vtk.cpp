@@ -115,6 +115,7 @@ void FixOutputVtk::write_frame()
   swellflow::OutputFrame frame;
   frame.step = update->ntimestep;
   frame.time = times_.time();
+  frame.own_from = times_.own_from();
   if (needs_fluid()) frame.fluid = fluid();
   if (options_.centres) frame.measures = measure_objects(lmp, groupbit);
   if (draws_objects()) {

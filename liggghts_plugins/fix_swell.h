@@ -5,6 +5,7 @@
 
 #include "fix.h"
 #include "fluid_partner.h"
+#include "limits.h"
 #include "objects/swelling_pace.h"
 #include "swell_script.h"
 
@@ -13,7 +14,7 @@ namespace LAMMPS_NS {
 class FixFluidScalar;
 class FixObjects;
 
-class FixSwell : public Fix {
+class FixSwell : public Fix, public swellflow::KnowsFigures {
  public:
   FixSwell(class LAMMPS *, int, char **);
 
@@ -35,6 +36,8 @@ class FixSwell : public Fix {
   void restart(char *) override;
   double compute_scalar() override;
   double compute_vector(int) override;
+  void add_limits(std::vector<swellflow::Figure> &figures) override;
+  void add_accuracy(std::vector<swellflow::Figure> &figures) override;
 
   /// Whether growing objects drink the fluid (true) or push it away. Which objects: those of this fix's group.
   bool absorbs() const { return script_.absorb; }
@@ -83,6 +86,12 @@ class FixSwell : public Fix {
   swellflow::SwellingPace of_all_ranks(const swellflow::SwellingPace &own) const;
   const swellflow::SwellingPace &pace_now();
   void look_at_pace();
+
+  // fix_swell_limits.cpp
+  double fastest_growth(const double *point, double span) const;
+  bool is_rigid(const swellflow::ObjectPoints &object) const;
+  double growth_beyond_springs(const swellflow::ObjectPoints &object) const;
+  double inner_diameter_at_end(const swellflow::ObjectPoints &object) const;
 
   // fix_swell_values.cpp
   void add_object(const swellflow::ObjectPoints &object, double *sums, double *extremes) const;

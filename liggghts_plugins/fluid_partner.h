@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -132,11 +133,16 @@ class ScalarPartner {
 public:
   virtual ~ScalarPartner() = default;
   /// Takes the scalar through the fluid step that has just been finished. side_values: by side, at its end. withdrawal [length], by own point (null, on all ranks alike: none): the
-  /// markers of the point take out, by their spacing, this times the value that they then meet. met: by own point. Collective.
+  /// markers of the point take out, by their spacing, this times the value that they then meet. met: by own point. Throws NotFinite. Collective.
   virtual void step(const std::array<double, 6> &side_values, const std::vector<double> *withdrawal, std::vector<ScalarMet> &met) = 0;
   /// The values of the cells at these places. Collective.
   virtual std::vector<double> values_at(const std::vector<Triple> &places) = 0;
   virtual ScalarReport report() = 0;  ///< collective
+};
+
+/// The flow, or a scalar, has blown up. Thrown on all ranks alike.
+struct NotFinite : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 class FluidPartner {
@@ -148,9 +154,11 @@ public:
   virtual void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) = 0;
   /// Then, when ghosts have that law: the fluid inside each object becomes part of it.
   virtual void complete_law(const std::vector<ObjectPoints> &objects, const FluidDrive &drive) = 0;
-  /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Collective.
+  /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Throws NotFinite. Collective.
   virtual void finish_step(const std::vector<ObjectPoints> &objects) = 0;
   virtual FluidReport report() = 0;  ///< of the last whole fluid step; collective
+  /// Of the flow as it is, over the cells: the largest sum of the magnitudes of the components. Collective.
+  virtual double largest_speed() = 0;
   /// Another field that the fluid carries, which it keeps; whether it goes on as it was in the file that the fluid was loaded from. Collective.
   virtual bool add_scalar(const ScalarOptions &) = 0;
   virtual void remove_scalar(const std::string &name) = 0;

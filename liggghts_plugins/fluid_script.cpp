@@ -4,6 +4,7 @@
 
 #include "lammps.h"
 #include "options.h"
+#include "square_cells.h"
 #include "update.h"
 
 namespace swellflow {
@@ -21,14 +22,12 @@ std::array<ScriptValue, 2> read_pair(Arguments &line, const std::string &what, c
 
 }  // namespace
 
-FluidScript::FluidScript(Arguments &line, const Box &box) : place_(line.place()), box_(box)
+FluidScript::FluidScript(Arguments &line, const Box &box, const AccuracyPreset &accuracy) : place_(line.place()), box_(box)
 {
   for (int side = 0; side < N_SIDES; side++)
     if (box_.periodic[side / 2]) options_.sides[side] = SideKind::periodic;
   Options options(place_);
-  options.custom("cells", [&](Arguments &words) {
-    for (int d = 0; d < DIM; d++) options_.cells[d] = words.integer("cells", Range::at_least(4));
-  }, "NX NY: cells across the box").required();
+  options.custom("cells", [&](Arguments &words) { read_cells(words, accuracy); }, "NX NY: cells across the box; or auto").required();
   options.number("density", options_.density, Range::positive(), "mass/length^3", "density of the fluid").required();
   options.number("viscosity", options_.kinematic_viscosity, Range::positive(), "length^2/time", "kinematic viscosity").required();
   options.integer("every", options_.dem_steps_per_fluid_step, Range::at_least(1), "DEM steps in a fluid step");
@@ -37,11 +36,33 @@ FluidScript::FluidScript(Arguments &line, const Box &box) : place_(line.place())
   declare_driving(options);
   declare_method(options);
   options.parse(line);
+  if (options.given("every") && !options.given("cfl")) options_.cfl = accuracy.cfl.value_or(0.0);
   check(line, options);
   if (starts_linear_) options_.linear_start = direction_between_walls(line);
 }
 
 // ---- keywords --------------------------------------------------------------------------------------------------------------------------------
+
+void FluidScript::read_cells(Arguments &line, const AccuracyPreset &accuracy)
+{
+  if (line.empty() || line.peek() != "auto") {
+    for (int d = 0; d < DIM; d++) options_.cells[d] = line.integer("cells", Range::at_least(4));
+    return;
+  }
+  line.expect("auto");
+  if (!accuracy.across)
+    line.fail("'cells auto' takes the number of cells across the smallest object from the command 'accuracy', which was not given: add 'accuracy balanced' above 'create_objects', or give 'cells NX NY'");
+  const double diameter = box_.smallest_object();
+  if (diameter == 0.0) line.fail("'cells auto' goes by the smallest object, but there is none: put this line below 'create_objects', or give 'cells NX NY'");
+  try {
+    const std::array<int, DIM> cells = square_cells(box_.length, diameter / *accuracy.across);
+    std::copy(cells.begin(), cells.end(), options_.cells.begin());
+  } catch (const std::invalid_argument &problem) {
+    line.fail(problem.what());
+  }
+  remark_ = place_ + ": cells " + std::to_string(options_.cells[0]) + " " + std::to_string(options_.cells[1]) + ", " + rounded(diameter * options_.cells[0] / box_.length[0]) +
+            " across the smallest object (accuracy " + accuracy.name + ")";
+}
 
 void FluidScript::declare_sides(Options &options)
 {
@@ -80,7 +101,7 @@ void FluidScript::declare_method(Options &options)
   }, "central, bounded or none");
   options.custom("forcing", [&](Arguments &words) {
     options_.forcing = static_cast<ForcingScheme>(words.choice("forcing", {"direct", "multi", "implicit"}));
-    if (options_.forcing == ForcingScheme::multi) options_.forcing_loops = words.integer("forcing multi", Range::at_least(1));
+    if (options_.forcing == ForcingScheme::multi) options_.forcing_loops = words.integer("forcing multi", {.low = 1.0, .high = 1000.0});
   }, "direct, multi N or implicit");
   options.custom("kernel", [&](Arguments &words) {
     const std::vector<std::string> kernels = {"roma_1999", "peskin_2002", "yang_2009", "gruninger_2025"};
@@ -91,7 +112,7 @@ void FluidScript::declare_method(Options &options)
     else words.choice("retraction", {"kernel"});
   }, "R cells, or 'kernel': of the markers, from the ring point towards the hub");
   options.custom("projections", [&](Arguments &words) { options_.projections = 1 + words.choice("projections", {"1", "2"}); }, "1 or 2: whether markers meet a fluid that is divergence-free");
-  options.number("marker_gap", options_.marker_gap, Range::positive(), "cells", "largest natural distance of markers along a ring");
+  options.number("marker_gap", options_.marker_gap, Range::at_least(0.01), "cells", "largest natural distance of markers along a ring");
 }
 
 int FluidScript::read_side(Arguments &line, const std::string &keyword)

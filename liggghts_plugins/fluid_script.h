@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 
+#include "accuracy.h"
 #include "fluid_partner.h"
 #include "script_value.h"
 
@@ -18,13 +20,16 @@ public:
   struct Box {
     std::array<bool, 2> periodic;
     std::array<double, 2> length;
+    std::function<double()> smallest_object;  ///< diameter as it was made; 0: there are no objects. Collective
   };
 
-  /// Reads the whole line. Throws OptionError.
-  FluidScript(Arguments &line, const Box &box);
+  /// Reads the whole line; what it leaves out is as `accuracy` has it. Throws OptionError. Collective.
+  FluidScript(Arguments &line, const Box &box, const AccuracyPreset &accuracy);
 
   /// All but the initial velocities of the fluid and its sides.
   const FluidOptions &options() const { return options_; }
+  /// What the user is told of the line, or nothing.
+  const std::string &remark() const { return remark_; }
   /// Throws OptionError when a variable is not there.
   void require_variables(LAMMPS_NS::LAMMPS *lmp) const;
   bool varies() const;
@@ -40,6 +45,7 @@ private:
   static constexpr int DIM = 2, N_SIDES = 2 * DIM;
   using Pair = std::array<ScriptValue, DIM>;
 
+  void read_cells(Arguments &line, const AccuracyPreset &accuracy);
   void declare_sides(Options &options);
   void declare_driving(Options &options);
   void declare_method(Options &options);
@@ -56,7 +62,7 @@ private:
   bool is_driven(int d) const { return !body_force_[d].is_zero() || !pressure_drop_[d].is_zero(); }
   template <class Visit> void for_each_value(const Visit &visit) const;
 
-  std::string place_;
+  std::string place_, remark_;
   Box box_;
   FluidOptions options_;
   std::array<bool, N_SIDES> named_{};

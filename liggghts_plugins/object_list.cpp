@@ -13,9 +13,9 @@ namespace {
 
 using Objects = std::vector<NewObject>;
 
-Objects read_one(ShapeOptions::Kind kind, Arguments &line, const TextReader &read_text)
+Objects read_one(ShapeOptions::Kind kind, Arguments &line, const ObjectScene &scene)
 {
-  ShapeOptions shape(kind, line, read_text);
+  ShapeOptions shape(kind, line, scene);
   const double x = line.number("x"), y = line.number("y");
   shape.read(line);
   NewObject object = shape.object(line.place(), {});
@@ -25,9 +25,11 @@ Objects read_one(ShapeOptions::Kind kind, Arguments &line, const TextReader &rea
 }
 
 /// Rows along x, from the first object, which is centred at `origin`.
-Objects read_lattice(Arguments &line, const TextReader &read_text)
+Objects read_lattice(Arguments &line, const ObjectScene &scene)
 {
   const int nx = line.integer("objects along x", Range::at_least(1)), ny = line.integer("objects along y", Range::at_least(1));
+  const double number = static_cast<double>(nx) * ny;
+  if (number > most_objects) line.fail("there must be at most 1e7 objects, but " + std::to_string(nx) + " x " + std::to_string(ny) + " are asked for: ask for fewer");
   Vector2 origin, spacing;
   line.expect("origin");
   origin.x() = line.number("origin");
@@ -35,9 +37,10 @@ Objects read_lattice(Arguments &line, const TextReader &read_text)
   line.expect("spacing");
   spacing.x() = line.number("spacing", Range::positive(), "length");
   spacing.y() = line.next_is_number() ? line.number("spacing", Range::positive(), "length") : spacing.x();
-  ShapeOptions shape(static_cast<ShapeOptions::Kind>(line.choice("shape", ShapeOptions::names)), line, read_text);
+  ShapeOptions shape(static_cast<ShapeOptions::Kind>(line.choice("shape", ShapeOptions::names)), line, scene);
   shape.read(line);
   const NewObject pattern = shape.object(line.place(), {});
+  scene.require_room(line.place(), number * (pattern.shape->ring.size() + 1.0));
 
   Objects all;
   for (int j = 0; j < ny; ++j)
@@ -53,7 +56,7 @@ std::optional<double> checked(const CsvTable &table, const CsvTable::Row &row, c
 {
   const std::optional<double> value = table.value(row, column);
   if (value && !range.holds(*value))
-    throw OptionError(table.place(row) + ": '" + column + "' must be a number " + range.words() + ", but is '" + shown(*value) + "': change it");
+    throw OptionError(table.place(row) + ": '" + column + "' must be a number " + range.words() + magnitude_words(*value) + ", but is '" + shown(*value) + "': change it");
   return value;
 }
 
@@ -101,7 +104,7 @@ ObjectList read_table(Arguments &line, const ObjectScene &scene)
   const auto &names = ShapeOptions::names;
   const bool named = !line.empty() && std::find(names.begin(), names.end(), line.peek()) != names.end();
   const auto kind = named ? static_cast<ShapeOptions::Kind>(line.choice("shape", names)) : ShapeOptions::DISK;
-  ShapeOptions shape(kind, line, scene.text_of_file);
+  ShapeOptions shape(kind, line, scene);
   ObjectList list;
   shape.read(line, &table, [&](Options &options) {
     options.number("overlap", list.overlap, Range::not_negative(), "length", "by which outlines may overlap, as pressed ones do");
@@ -150,10 +153,10 @@ ObjectList read_object_list(int narg, char **arg, const ObjectScene &scene)
   const std::vector<std::string> forms = {"disk", "ellipse", "outline", "lattice", "random", "file"};
   const int form = Arguments("create_objects", std::min(narg, 1), arg).choice("form", forms);
   Arguments line("create_objects " + forms[form], narg - 1, arg + 1);
-  if (forms[form] == "lattice") return {.objects = read_lattice(line, scene.text_of_file)};
+  if (forms[form] == "lattice") return {.objects = read_lattice(line, scene)};
   if (forms[form] == "random") return read_random_objects(line, scene);
   if (forms[form] == "file") return read_table(line, scene);
-  return {.objects = read_one(static_cast<ShapeOptions::Kind>(form), line, scene.text_of_file)};
+  return {.objects = read_one(static_cast<ShapeOptions::Kind>(form), line, scene)};
 }
 
 }  // namespace swellflow

@@ -27,6 +27,8 @@ struct NewObject {
 
 using TextReader = std::function<std::string(const std::string &)>;
 
+inline constexpr double most_objects = 1e7;  ///< of one command
+
 /// An object that is there already.
 struct ExistingObject {
   Footprint footprint;
@@ -35,10 +37,12 @@ struct ExistingObject {
 
 /// What a list may have to know of the scene; only the form `random` asks for the box, regions and objects.
 struct ObjectScene {
+  int points = ShapeRequest{}.points;  ///< on the ring of an object whose line does not say
   TextReader text_of_file;
   std::function<PlaneBox()> box;
   std::function<std::shared_ptr<const PackingRoom>(const std::string &)> region;  ///< nullptr: there is none of this name
   std::function<std::vector<ExistingObject>()> existing;
+  std::function<void(const std::string &place, double points)> require_room;  ///< for so many points, before they are listed
 };
 
 struct ObjectList {

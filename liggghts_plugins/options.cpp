@@ -32,7 +32,15 @@ bool Range::holds(double value) const
 {
   const bool above = low_open ? value > low : value >= low;
   const bool below = high_open ? value < high : value <= high;
-  return above && below && std::isfinite(value);
+  const bool large_enough = !(low_open && low == 0.0) || value >= smallest_number;
+  return above && below && large_enough && std::abs(value) <= largest_number;
+}
+
+std::string magnitude_words(double value)
+{
+  const double magnitude = std::abs(value);
+  const bool usual = magnitude == 0.0 || (magnitude >= smallest_number && magnitude <= largest_number);
+  return usual || !std::isfinite(value) ? "" : " and of a magnitude from 1e-100 to 1e100";
 }
 
 std::string Range::words() const
@@ -95,10 +103,10 @@ double Arguments::number(const std::string &what, const Range &range, const std:
 {
   const std::string wanted = number_words("a number", range, unit);
   if (empty()) fail("not enough arguments for '" + what + "': give " + wanted);
-  double value;
+  double value = 0.0;
   const std::string given = words_[next_++];
   if (!to_number(given, value) || !range.holds(value))
-    fail("'" + what + "' must be " + wanted + ", but is '" + given + "': change it");
+    fail("'" + what + "' must be " + wanted + magnitude_words(value) + ", but is '" + given + "': change it");
   return value;
 }
 

@@ -19,13 +19,16 @@ struct OptionError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// Squares and products of numbers within these bounds are numbers, too.
+inline constexpr double largest_number = 1e100, smallest_number = 1e-100;
+
 /// The values that an option may take; open bounds exclude the bound itself.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false;
 
-  bool holds(double value) const;
+  bool holds(double value) const;  ///< and no larger than largest_number; what must be > 0 is no smaller than smallest_number, either
   std::string words() const;  ///< "> 0", ">= 3", "in (0, 1]"
 
   static Range any() { return {}; }
@@ -101,6 +104,8 @@ private:
   std::vector<Option> options_;
 };
 
+/// What a message adds to the rule that a number broke by its magnitude alone; else nothing.
+std::string magnitude_words(double value);
 /// A number as a message shows it: as short as it is exact enough.
 std::string shown(double value);
 /// A computed number, to four digits.

@@ -22,6 +22,7 @@ struct OutputOptions {
 struct OutputFrame {
   long step = 0;
   double time = 0.0;
+  double own_from = 0.0;                 ///< frames that an earlier run wrote before this time stay in the series
   std::vector<ObjectPoints> objects;     ///< to be written by this rank
   std::vector<double> velocity, force;   ///< three values a point, own points and then ghosts, all at `time`
   std::vector<ObjectMeasures> measures;  ///< of the objects to be written by this rank, when OutputOptions::centres

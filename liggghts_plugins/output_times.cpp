@@ -15,7 +15,10 @@ bool OutputTimes::begin_run(int every)
   if (restored) offset_ = restart_time_ - lmp_->update->get_cur_time();
   restart_time_ = -1.0;
   const FixCheckpoint *checkpoint = find_checkpoint(lmp_);
-  if (restored && checkpoint && checkpoint->continues()) last_step_ = lmp_->update->ntimestep;  // the run before wrote what was due
+  const bool goes_on = restored && checkpoint && checkpoint->continues();
+  if (goes_on) last_step_ = lmp_->update->ntimestep;  // the run before wrote what was due
+  if (!begun_) own_from_ = time() + (goes_on ? 0.5 * lmp_->update->dt : 0.0);
+  begun_ = true;
   return (last_step_ < 0 && !restored) || lmp_->update->ntimestep % every == 0;
 }
 

@@ -20,6 +20,8 @@ class OutputTimes {
   bool take_step();
   /// LIGGGHTS' time, which goes on over a read_restart.
   double time() const;
+  /// What an earlier run wrote from this time on is not of this series: this run writes it anew, or begins in its place.
+  double own_from() const { return own_from_; }
 
   void write_restart(FILE *fp) const;
   void restart(const char *buffer);
@@ -27,6 +29,8 @@ class OutputTimes {
  private:
   LAMMPS *lmp_;
   bigint last_step_ = -1;      // taken last; -1: none
+  bool begun_ = false;
+  double own_from_ = 0.0;
   double restart_time_ = -1.0;  // at which an earlier run saved; -1: none did
   double offset_ = 0.0;        // LIGGGHTS counts time anew after read_restart
 };

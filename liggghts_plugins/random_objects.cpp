@@ -14,7 +14,6 @@ namespace swellflow {
 namespace {
 
 constexpr double cover_tolerance = 0.01;  ///< of the diameter, by which the circles that stand for an outline reach beyond it
-constexpr double most_objects = 1e7;
 
 /// How many objects: a number, or a share of the place that they cover.
 struct Amount {
@@ -135,10 +134,15 @@ PackingTask packing_of(const std::vector<NewObject> &objects, std::shared_ptr<co
   return task;
 }
 
+/// What the place has no room for, and the rule that it breaks.
+std::string too_much(const Amount &amount, double wanted)
+{
+  return "the objects must fit into their place, but " + (amount.number ? std::to_string(amount.number) + " objects, " : std::string()) + "a solid fraction of " + rounded(wanted);
+}
+
 [[noreturn]] void refuse(const Arguments &line, const Amount &amount, double wanted, double reached, double reach)
 {
-  const std::string asked = amount.number ? std::to_string(amount.number) + " objects, a solid fraction of " + rounded(wanted) : "a solid fraction of " + rounded(wanted);
-  line.fail("the objects must fit into their place, but " + asked + ", does not: about " + rounded(reached) + " can be reached there, with the same 'gap'" +
+  line.fail(too_much(amount, wanted) + ", does not: about " + rounded(reached) + " can be reached there, with the same 'gap'" +
             (reach > 0.0 ? " and with spheres that reach " + rounded(reach) + " diameters beyond the outlines" : "") +
             (reach > 0.0 ? ": ask for less, or lower 'gap' or 'reach'" : ": ask for less, or lower 'gap'"));
 }
@@ -150,7 +154,7 @@ ObjectList read_random_objects(Arguments &line, const ObjectScene &scene)
   const Amount amount = read_amount(line);
   const auto room = read_room(line, scene);
   const auto kind = static_cast<ShapeOptions::Kind>(line.choice("shape", ShapeOptions::names));
-  ShapeOptions shape(kind, line, scene.text_of_file);
+  ShapeOptions shape(kind, line, scene);
   int seed = 0, orientation = 0;
   double gap = 0.0;
   shape.read(line, nullptr, [&](Options &options) {
@@ -159,14 +163,18 @@ ObjectList read_random_objects(Arguments &line, const ObjectScene &scene)
     options.choice("orientation", orientation, {"random", "aligned"}, "whether each object is turned by chance");
   });
   const NewObject pattern = shape.object(line.place(), {});
+  const double expected = amount.number ? amount.number : amount.solid_fraction * room->area() / area_of(pattern);
+  scene.require_room(line.place(), expected * (pattern.shape->ring.size() + 1.0));
   std::vector<NewObject> objects =
       amount.number ? numbered(pattern, shape, amount.number) : filling(pattern, shape, amount.solid_fraction * room->area(), line);
+
+  const double fraction = area_of(objects) / room->area();
+  if (fraction >= 1.0) line.fail(too_much(amount, fraction) + ", is more than the place: ask for less");
 
   PackingTask task = packing_of(objects, room, gap, scene);
   task.turning = orientation == 0;
   task.seed = seed;
   const Packing packing = pack_at_random(task);
-  const double fraction = area_of(objects) / room->area();
   if (packing.scale < 1.0) refuse(line, amount, fraction, fraction * packing.scale * packing.scale, pattern.shape->reach);
   for (std::size_t k = 0; k < objects.size(); ++k) {
     objects[k].centre = packing.placements[k].centre;

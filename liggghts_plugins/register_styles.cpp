@@ -7,13 +7,15 @@
 #include <map>
 #include <stdexcept>
 
+#include "accuracy_budget.h"
+#include "accuracy.h"
 #include "checkpoint_commands.h"
-#include "checkpoint_file.h"
 #include "create_objects.h"
 #include "fix.h"
 #include "fix_checkpoint.h"
 #include "fix_fluid_ib.h"
 #include "fix_fluid_scalar.h"
+#include "fix_guard.h"
 #include "fix_lubrication_cds.h"
 #include "fix_mass_spring.h"
 #include "fix_nve_cds_implicit.h"
@@ -25,6 +27,7 @@
 #include "fix_swell.h"
 #include "input.h"
 #include "lammps.h"
+#include "liggghts_version.h"
 #include "modify.h"
 #include "universe.h"
 
@@ -49,6 +52,7 @@ struct FixMapAccess {
 template struct FixMapAccess<&Modify::fix_map>;
 
 const Factories &factories_of(LAMMPS *lmp);
+AccuracyPreset &accuracy_of(LAMMPS *lmp);
 
 template <typename T>
 Fix *create_fix(LAMMPS *lmp, int narg, char **arg)
@@ -56,17 +60,12 @@ Fix *create_fix(LAMMPS *lmp, int narg, char **arg)
   return new T(lmp, narg, arg);
 }
 
-template <typename T>
-void run_command(LAMMPS *lmp, int narg, char **arg)
-{
-  T(lmp).command(narg, arg);
-}
-
 const FixMap &fix_styles()
 {
   static const FixMap styles = {
     {"objects", create_fix<FixObjects>},
     {"checkpoint", create_fix<FixCheckpoint>},
+    {"guard", create_fix<FixGuard>},
     {"mass_spring", create_fix<FixMassSpring>},
     {"swell", create_fix<FixSwell>},
     {"nve/cds", create_nve_cds},
@@ -74,7 +73,7 @@ const FixMap &fix_styles()
     {"lubrication/cds", create_fix<FixLubricationCds>},
     {"held", create_fix<FixPrescribed>},
     {"prescribed", create_fix<FixPrescribed>},
-    {"fluid/ib", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixFluidIb(lmp, narg, arg, factories_of(lmp).fluid); }},
+    {"fluid/ib", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixFluidIb(lmp, narg, arg, factories_of(lmp).fluid, accuracy_of(lmp)); }},
     {"fluid/scalar", create_fix<FixFluidScalar>},
     {"output/objects", create_fix<FixOutputObjects>},
     {"output/vtk", [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new FixOutputVtk(lmp, narg, arg, factories_of(lmp).output); }},
@@ -85,7 +84,9 @@ const FixMap &fix_styles()
 const CommandMap &commands()
 {
   static const CommandMap map = {
-    {"create_objects", run_command<CreateObjects>},
+    {"create_objects", [](LAMMPS *lmp, int narg, char **arg) { CreateObjects(lmp, accuracy_of(lmp).points.value_or(ShapeRequest{}.points)).command(narg, arg); }},
+    {"accuracy", [](LAMMPS *lmp, int narg, char **arg) { accuracy_command(lmp, narg, arg, accuracy_of(lmp)); }},
+    {"guard", set_guard},
   };
   return map;
 }
@@ -103,19 +104,13 @@ void check(const Map *map, size_t least, size_t most, std::initializer_list<cons
     if (map->count(name) == 0) throw std::runtime_error("LIGGGHTS' table of " + what + " does not know '" + name + "'" + remedy);
 }
 
-void check_version(const Universe &universe)
-{
-  if (!std::strstr(universe.version, supported_liggghts))
-    throw std::runtime_error(std::string("LIGGGHTS must be version ") + supported_liggghts + " but calls itself '" +
-                             universe.version + "': install Debian's libliggghts3 " + supported_liggghts);
-}
-
 /// Reads the script as LIGGGHTS does, carries the factories, and registers the fix styles again after `clear`, which rebuilds
 /// their map. No fix of ours may come before a box exists, and only three commands make one: they are where we step in.
 class ScriptReader : public Input {
 public:
   ScriptReader(LAMMPS *lmp, const Factories &factories) : Input(lmp, 0, nullptr), factories_(factories)
   {
+    command = nullptr;
     check(command_map, 15, 60, {"run", "set", "velocity"}, "commands");
     for (const auto &[name, creator] : commands()) (*command_map)[name] = creator;
     for (const char *name : {"create_box", "read_data", "read_restart"}) {
@@ -124,6 +119,8 @@ public:
     }
     stock_["write_restart"] = command_map->at("write_restart");
     (*command_map)["write_restart"] = write_restart;
+    stock_["run"] = command_map->at("run");
+    (*command_map)["run"] = run;
   }
 
   /// Variables and echo settings of the command line live in the reader that LIGGGHTS made when it started.
@@ -137,16 +134,22 @@ public:
 
   void set_factories(const Factories &factories) { factories_ = factories; }
   const Factories &factories() const { return factories_; }
+  GuardMode &guard_mode() { return guard_mode_; }
+  AccuracyPreset &accuracy() { return accuracy_; }
+  std::string command_name() const { return command ? command : ""; }
 
 private:
   static void with_fix_styles(LAMMPS *lmp, int narg, char **arg);
   static void write_restart(LAMMPS *lmp, int narg, char **arg);
+  static void run(LAMMPS *lmp, int narg, char **arg);
   StockCommand stock(LAMMPS *lmp) const
   {
     return [lmp, own = stock_.at(command)](int narg, char **arg) { own(lmp, narg, arg); };
   }
 
   Factories factories_;
+  GuardMode guard_mode_ = GuardMode::refuse;
+  AccuracyPreset accuracy_;
   std::map<std::string, CommandCreator> stock_;
 };
 
@@ -161,9 +164,15 @@ void ScriptReader::with_fix_styles(LAMMPS *lmp, int narg, char **arg)
 {
   add_fix_styles(lmp);
   auto *reader = dynamic_cast<ScriptReader *>(lmp->input);
-  if (std::strcmp(reader->command, "read_restart") == 0) return read_checkpoint(lmp, narg, arg, reader->stock(lmp));
-  reader->stock(lmp)(narg, arg);
-  make_checkpoint(lmp);
+  if (reader->accuracy_.has_box) reader->accuracy_ = {};
+  reader->accuracy_.has_box = true;
+  if (std::strcmp(reader->command, "read_restart") == 0) {
+    read_checkpoint(lmp, narg, arg, reader->stock(lmp));
+  } else {
+    reader->stock(lmp)(narg, arg);
+    make_checkpoint(lmp);
+  }
+  make_guard(lmp);
 }
 
 void ScriptReader::write_restart(LAMMPS *lmp, int narg, char **arg)
@@ -171,10 +180,14 @@ void ScriptReader::write_restart(LAMMPS *lmp, int narg, char **arg)
   write_checkpoint(lmp, narg, arg, dynamic_cast<ScriptReader *>(lmp->input)->stock(lmp));
 }
 
-/// LIGGGHTS left room behind its text.
-void mark_version(Universe &universe)
+/// The accuracy budget belongs to what LIGGGHTS prints after a run, and is left out with that.
+void ScriptReader::run(LAMMPS *lmp, int narg, char **arg)
 {
-  if (!std::strstr(universe.version, version_mark)) std::strcat(universe.version, version_mark);
+  bool post = true;
+  for (int k = 1; k + 1 < narg && std::strcmp(arg[k], "every") != 0; ++k)
+    if (std::strcmp(arg[k], "post") == 0) post = std::strcmp(arg[k + 1], "no") != 0;
+  dynamic_cast<ScriptReader *>(lmp->input)->stock(lmp)(narg, arg);
+  if (post) print_accuracy_budget(lmp);
 }
 
 const Factories &factories_of(LAMMPS *lmp)
@@ -182,12 +195,16 @@ const Factories &factories_of(LAMMPS *lmp)
   return dynamic_cast<ScriptReader &>(*lmp->input).factories();
 }
 
+AccuracyPreset &accuracy_of(LAMMPS *lmp)
+{
+  return dynamic_cast<ScriptReader &>(*lmp->input).accuracy();
+}
+
 template <typename Map>
 std::vector<std::string> names(const Map &map)
 {
   std::vector<std::string> result;
-  for (const auto &entry : map)
-    if (entry.first != "objects" && entry.first != "checkpoint") result.push_back(entry.first);
+  for (const auto &entry : map) result.push_back(entry.first);
   return result;
 }
 
@@ -208,7 +225,21 @@ void register_styles(LAMMPS *lmp, const Factories &factories)
   add_fix_styles(lmp);
 }
 
-std::vector<std::string> our_fix_styles() { return names(fix_styles()); }
+std::string command_of(const LAMMPS *lmp)
+{
+  const auto *reader = dynamic_cast<const ScriptReader *>(lmp->input);
+  return reader ? reader->command_name() : "";
+}
+
+GuardMode &guard_mode(LAMMPS *lmp) { return dynamic_cast<ScriptReader &>(*lmp->input).guard_mode(); }
+
+std::vector<std::string> our_fix_styles()
+{
+  std::vector<std::string> styles = names(fix_styles());
+  std::erase_if(styles, [](const std::string &style) { return style == FixObjects::ID || style == FixCheckpoint::ID || style == FixGuard::ID; });
+  return styles;
+}
+
 std::vector<std::string> our_commands() { return names(commands()); }
 
 }  // namespace swellflow

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fluid_partner.h"
+#include "guard.h"
 #include "output_partner.h"
 
 namespace LAMMPS_NS {
@@ -12,9 +13,6 @@ class LAMMPS;
 }
 
 namespace swellflow {
-
-/// The version whose private style maps we know.
-inline constexpr const char *supported_liggghts = "3.8.0";
 
 /// What the styles need from outside; the program hands it in, the scripts' commands hand it on.
 struct Factories {
@@ -25,6 +23,12 @@ struct Factories {
 /// Afterwards scripts know our styles. To be called before the first line is read.
 /// Throws std::runtime_error, on every rank, when this is not the LIGGGHTS that we know.
 void register_styles(LAMMPS_NS::LAMMPS *lmp, const Factories &factories);
+
+/// The command that is being carried out, or was last.
+std::string command_of(const LAMMPS_NS::LAMMPS *lmp);
+
+/// What `guard` said last.
+GuardMode &guard_mode(LAMMPS_NS::LAMMPS *lmp);
 
 /// Names for -help; internal styles are left out.
 std::vector<std::string> our_fix_styles();

@@ -71,8 +71,8 @@ double ScriptValue::evaluate(LAMMPS *lmp) const
   if (!is_variable()) return number_;
   require(lmp);  // a script may delete it between runs
   const double value = lmp->input->variable->compute_equal(place_of(lmp, variable_));
-  if (!std::isfinite(value))
-    throw OptionError(what_ + " must be a finite number, but variable '" + variable_ + "' gave " + shown(value) + " for step " +
+  if (!(std::abs(value) <= largest_number))
+    throw OptionError(what_ + " must be a finite number" + magnitude_words(value) + ", but variable '" + variable_ + "' gave " + shown(value) + " for step " +
                       std::to_string(lmp->update->ntimestep) + ": change its formula");
   return value;
 }

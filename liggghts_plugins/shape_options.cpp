@@ -7,16 +7,17 @@ namespace swellflow {
 // A sphere on the outline must not be wider than its object.
 Range cds_range() { return Range::above_to(0.0, 0.5); }
 Range reach_range() { return Range::not_negative(); }
-Range points_range(ShapeOptions::Kind kind) { return Range::at_least(kind == ShapeOptions::OUTLINE ? 0 : 3); }
+Range points_range(ShapeOptions::Kind kind) { return {.low = kind == ShapeOptions::OUTLINE ? 0.0 : 3.0, .high = 1e4}; }
 
 const std::vector<std::string> ShapeOptions::names = {"disk", "ellipse", "outline"};
 
-ShapeOptions::ShapeOptions(Kind kind, Arguments &line, const TextReader &read_text) : kind_(kind)
+ShapeOptions::ShapeOptions(Kind kind, Arguments &line, const ObjectScene &scene) : kind_(kind)
 {
+  request_.points = scene.points;
   if (kind == DISK) request_.contour = std::make_shared<Contour>(Contour::disk());
   if (kind != OUTLINE) return;
   const std::string file = line.word("outline");
-  request_.contour = std::make_shared<Contour>(Contour::polygon(read_outline(file, read_text(file))));
+  request_.contour = std::make_shared<Contour>(Contour::polygon(read_outline(file, scene.text_of_file(file))));
 }
 
 void ShapeOptions::read(Arguments &line, const CsvTable *table, const std::function<void(Options &)> &declare_more)

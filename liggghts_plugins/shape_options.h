@@ -21,7 +21,7 @@ public:
   static const std::vector<std::string> names;  ///< by Kind
 
   /// An outline's word is followed by its file, which is read.
-  ShapeOptions(Kind kind, Arguments &line, const TextReader &read_text);
+  ShapeOptions(Kind kind, Arguments &line, const ObjectScene &scene);
 
   /// The keywords, and those that a form declares on top. Those that a table may give for each object are optional when it has their column.
   void read(Arguments &line, const CsvTable *table = nullptr, const std::function<void(Options &)> &declare_more = {});

@@ -44,7 +44,7 @@ public:
 
   void write(const OutputFrame &frame) override
   {
-    if (collections_.empty()) open_collections(frame.time);
+    if (collections_.empty()) open_collections(frame.own_from);
     const FrameTime when{frame.step, frame.time};
     std::map<std::string, std::string> files;
     if (has_fields()) files["fields"] = write_fields(frame, when);
@@ -70,17 +70,17 @@ private:
   }
 
   /// Written at once: frames that are about to be overwritten are no longer listed from here on.
-  void open_collections(double now)
+  void open_collections(double own_from)
   {
     auto names = sets();
     names.push_back(all_sets);
     for (const std::string &name : names) {
       on_rank_0(comm_, [&] {
-        PvdCollection collection(folder_ / (name + ".pvd"), now);
+        PvdCollection collection(folder_ / (name + ".pvd"), own_from);
         collection.write();
         collections_.emplace(name, collection);
       });
-      if (rank_ != 0) collections_.emplace(name, PvdCollection("", now));
+      if (rank_ != 0) collections_.emplace(name, PvdCollection("", own_from));
     }
   }
 

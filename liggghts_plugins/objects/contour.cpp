@@ -81,6 +81,11 @@ Contour Contour::polygon(Polygon vertices)
   return polygon;
 }
 
+bool Contour::lies_within(double radius) const
+{
+  return std::all_of(fine_.begin(), fine_.end(), [radius](const Vector2 &x) { return x.norm() <= radius; });
+}
+
 Polygon Contour::points(int n, PointSpacing spacing) const
 {
   if (n == 0) return fine_;

@@ -23,6 +23,8 @@ public:
   Polygon points(int n, PointSpacing spacing) const;
   /// Mean of r^2 over the area: the moment of inertia of the solid shape over its mass.
   double mean_square_radius() const { return mean_square_radius_; }
+  /// A circle about the centroid.
+  bool lies_within(double radius) const;
   /// Of a place inside from the contour, to 1e-6.
   double distance(const Vector2 &inside) const { return distance_to_boundary(fine_, inside); }
 

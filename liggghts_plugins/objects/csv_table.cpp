@@ -5,10 +5,14 @@
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace swellflow {
 
 namespace {
+
+constexpr double largest = 1e100;  ///< its square is a number, too
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // spreadsheets put it before what they save as UTF-8
 
 std::string trimmed(const std::string &text)
 {
@@ -38,6 +42,7 @@ CsvTable::CsvTable(const std::string &file, const std::string &text, const std::
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     line = trimmed(line);
     if (line.empty() || line.front() == '#') continue;
     if (columns_.empty())
@@ -70,7 +75,7 @@ void CsvTable::read_row(int line, const std::vector<std::string> &cells)
   for (std::size_t k = 0; k < cells.size(); ++k) {
     char *end = nullptr;
     const double value = std::strtod(cells[k].c_str(), &end);
-    if (cells[k].empty() || *end != '\0' || !std::isfinite(value))
+    if (cells[k].empty() || end != cells[k].data() + cells[k].size() || !(std::abs(value) <= largest))  // a zero byte may stand within
       fail(file_, line, "'" + columns_[k] + "' must be a number, but is '" + cells[k] + "': change it");
     row.values.push_back(value);
   }

@@ -17,7 +17,8 @@ public:
     double widest = 0.0;
     for (const Circle &circle : circles) widest = std::max(widest, 2.0 * circle.radius);
     const double coarsest = std::sqrt(box.length().prod() / (circles.size() + 1.0));
-    for (int d = 0; d < 2; ++d) n_[d] = std::max(1, static_cast<int>(box.length()[d] / std::max(widest, coarsest)));
+    // At most one a circle, also in a box that is much longer than wide.
+    for (int d = 0; d < 2; ++d) n_[d] = 1 + whole(box.length()[d] / std::max(widest, coarsest) - 1.0, circles.size());
     members_.resize(static_cast<std::size_t>(n_[0]) * n_[1]);
     for (std::size_t i = 0; i < circles.size(); ++i) members_[cell(circles[i].centre)].push_back(static_cast<int>(i));
   }
@@ -39,13 +40,16 @@ public:
   }
 
 private:
+  /// Rounded down, from 0 to `most`; 0 of what is no number, as in a run that is about to end for that.
+  static int whole(double value, double most) { return value > 0.0 ? static_cast<int>(std::min(value, most)) : 0; }
+
   std::array<int, 2> position(const Vector2 &x) const
   {
     std::array<int, 2> at;
     for (int d = 0; d < 2; ++d) {
       const double part = (x[d] - box_.low[d]) / box_.length()[d];
       const double inside = box_.periodic[d] ? part - std::floor(part) : part;
-      at[d] = std::clamp(static_cast<int>(inside * n_[d]), 0, n_[d] - 1);
+      at[d] = whole(inside * n_[d], n_[d] - 1);
     }
     return at;
   }

@@ -27,7 +27,7 @@ class Occupied {
 public:
   Occupied(const PlaneBox &box, double cell) : box_(box)
   {
-    for (int d = 0; d < 2; ++d) n_[d] = std::clamp(static_cast<int>(box.length()[d] / cell), 1, 4000);
+    for (int d = 0; d < 2; ++d) n_[d] = static_cast<int>(std::clamp(box.length()[d] / cell, 1.0, 4000.0));
     cells_.resize(static_cast<std::size_t>(n_[0]) * n_[1]);
   }
 

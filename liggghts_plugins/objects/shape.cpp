@@ -121,6 +121,9 @@ Shape make_shape(const ShapeRequest &request)
   if (shape.reach < shape.cds && !shape.spokes)
     throw std::invalid_argument("mass points inside the outline need spokes, which say where inside is, but 'reach' is less than 'cds' with 'spokes no': "
                                 "leave 'reach' out");
+  // Slenderer shapes want points, markers and circles without end.
+  if (!request.contour->lies_within(15.0))
+    throw std::invalid_argument("a shape must reach at most 15 diameters of the disc of its area from its centre, but this one reaches farther: make it less slender");
   shape.outline = request.contour->points(request.points, request.spacing);
   check_outline(shape);
   shape.outline_area = outline_shape(shape.outline).area;

@@ -54,6 +54,7 @@ public:
     report.force_of_growth = {17.0, 18.0, 0.0};
     return report;
   }
+  double largest_speed() override { return 0.0; }
   void save(const std::string &) override {}
   void load(const std::string &, long, long) override {}
   bool add_scalar(const swellflow::ScalarOptions &) override { return false; }

@@ -133,7 +133,7 @@ void shrink_and_grow(DryScene &scene)
 {
   scene.box("0 1 0 1");
   scene.script("create_objects lattice 3 3 origin 0.2 0.2 spacing 0.3 disk diameter 0.2 points 20 density 1500 cds 0.2\n"
-               "fix springs all mass_spring stiffness 1000 restitution 0.5\nfix move all nve/cds\nfix flat all enforce2d\nfix g all gravity 1 vector 0.3 -1 0\n");
+               "fix springs all mass_spring stiffness 2000 restitution 0.5\nfix move all nve/cds\nfix flat all enforce2d\nfix g all gravity 0.3 vector 0.3 -1 0\n");
   int k = 0;
   for (const char *plane : {"xplane 0.0", "xplane 1.0", "yplane 0.0", "yplane 1.0"})
     scene.script("fix side" + std::to_string(k++) + " all wall/gran model hooke/stiffness tangential history primitive type 1 " + plane + " absolute_damping on\n");

@@ -2,7 +2,20 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include <new>
+#include <stdexcept>
+
 #include "coupling/failure.h"
+
+TEST(Failure, WhatALibraryThrowsGetsWordsForUsers)
+{
+  const auto message = [](const std::exception &error) { return swellflow::message_of(error, "pair_style"); };
+  EXPECT_EQ(message(std::runtime_error("our own words")), "our own words");
+  EXPECT_EQ(message(std::invalid_argument("our own words")), "our own words");
+  EXPECT_NE(message(std::bad_alloc()).find("pair_style: all must fit into the memory"), std::string::npos);
+  EXPECT_NE(message(std::length_error("vector::_M_default_append")).find("must fit into the memory"), std::string::npos);
+  EXPECT_NE(message(std::logic_error("basic_string: construction from null is not valid")).find("pair_style: the line must have all its words"), std::string::npos);
+}
 
 TEST(Failure, OneRankPrintsWhenAllFail)
 {

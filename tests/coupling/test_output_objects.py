@@ -16,7 +16,7 @@ BED = {
     "objects": "create_objects lattice 4 3 origin 0.02 0.25 spacing 0.25 disk diameter 0.2 points 16 density 1500 cds 0.2 type 1",
     "springs": "fix springs all mass_spring stiffness 1000 restitution 0.8",
     "move": "fix move all nve/cds\nfix weight all gravity 9.81 vector 0 -1 0\nfix flat all enforce2d\nvelocity all set 0.4 0.1 0 units box\n"
-            "group fast molecule 6\nvelocity fast set 0.4 2 0 units box",
+            "group fast molecule 6\nvelocity fast set 0.4 1 0 units box",
     "fluid": "", "thermo": "thermo 20",
 }
 MEASURES = "fix out all output/objects every 20 file measures/objects.csv"

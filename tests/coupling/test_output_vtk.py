@@ -74,6 +74,18 @@ class WhenFramesAreWritten(FramesTest):
         self.assertEqual(self.times(second), [0.0, 0.02, 0.04, 0.06])
         self.assertEqual(self.times(second, "all"), [0.0, 0.02, 0.04, 0.06])
 
+    def test_a_run_from_a_restart_file_with_another_interval(self):
+        """Frames between the restart file and the first one of the run that goes on are none of its own."""
+        output = "fix out all output/vtk every {} objects outline\nfix measures all output/objects every {} file objects.csv\n"
+        self.succeed(script(OBJECTS, DYNAMICS, output.format(20, 20), "restart 40 at.*\nrun 100\n"), name="first")
+        again = script(BOX, DYNAMICS, output.format(70, 70), "run 60\n").splitlines()
+        again = [line for line in again if not line.startswith(("region", "boundary"))]
+        again = ["read_restart at.40" if line.startswith("create_box") else line for line in again]
+        second = self.succeed("\n".join(again) + "\n", name="first", ranks=2)
+        self.assertEqual(self.times(second), [0.0, 0.02, 0.04, 0.07])
+        steps = [line.partition(",")[0] for line in (second.folder / "objects.csv").read_text().splitlines()]
+        self.assertEqual(steps, ["step"] + [step for step in ("0", "20", "40", "70") for _ in range(3)])
+
     def test_frames_of_two_groups_go_into_two_folders(self):
         groups = "group big molecule 3\ngroup rest molecule 1 2\n"
         output = "fix a big output/vtk every 20 folder a objects outline\nfix b rest output/vtk every 10 folder b objects outline cds\n"
@@ -83,6 +95,18 @@ class WhenFramesAreWritten(FramesTest):
 
 
 class WhatFramesHold(FramesTest):
+    def test_all_pieces_are_compressed(self):
+        """Each rank's own; the water is at rest, so that there is almost nothing to tell."""
+        water = WATER.replace("cells 16 16", "cells 128 128")
+        output = "fix out all output/vtk every 10 fields velocity pressure objects outline points cds centres\n"
+        result = self.succeed(script(CLOSED, OBJECTS.replace(BOX, "").replace("disk 0.01", "disk 0.11"), "fix hold all held\n", water, output, "run 0\n"), ranks=4)
+        pieces = [file for file in (result.folder / "post").iterdir() if file.suffix in (".vti", ".vtp")]
+        for piece in pieces:
+            self.assertIn(b'compressor="vtkZLibDataCompressor"', piece.read_bytes()[:400], piece.name)
+        fields = [piece for piece in pieces if piece.suffix == ".vti"]
+        self.assertEqual(sorted(piece.name[-9:] for piece in fields), ["r0000.vti", "r0001.vti", "r0002.vti", "r0003.vti"])
+        self.assertLess(sum(piece.stat().st_size for piece in fields), 0.1 * 128 * 128 * 4 * 8)
+
     def by_tag(self, result, name):
         positions, values = frames.vertices(self.frames(result, name)[-1][1])
         order = np.argsort(values["tag"])

@@ -1,6 +1,5 @@
 """The case of discs at random places in a short form: its check passes on one rank and on several, and notices what is wrong."""
 
-import re
 import sys
 import unittest
 
@@ -14,31 +13,20 @@ import exact  # noqa: E402
 
 
 class RandomArray(CaseTest):
-    SHORT = ("-var", "discs", "12", "-var", "cells", "14")
-
-    def permeability(self, *words):
-        result = self.run_case("random_array", "--check", *self.SHORT, *words)
-        self.assertEqual(result.returncode, 0, result.stdout[-2000:] + result.stderr[-2000:])
-        return float(re.search(r"all conditions hold; permeability / D\^2 = (\S+)", result.stdout)[1])
+    def permeability(self, *words, **variables):
+        said = self.passes(r"permeability / D\^2 = ", "random_array", *words, discs=12, cells=14, **variables)
+        return float(said.split()[-1])
 
     def test_ranks_make_no_difference_and_seeds_do(self):
         one = self.permeability()
         self.assertAlmostEqual(self.permeability("--np", "2"), one, delta=1e-6 * one)
-        self.assertGreater(abs(self.permeability("-var", "seed", "2") - one), 0.02 * one)
+        self.assertGreater(abs(self.permeability(seed=2) - one), 0.02 * one)
 
     def test_the_check_notices_what_is_wrong(self):
         self.permeability()
-        history, places = self.folder / "history.csv", self.folder / "objects.csv"
-        for file, column, change, message in ((history, "mean_x", lambda u: 1.3 * u, "FAIL  permeability"), (history, "drag", lambda F: 1.01 * F, "FAIL  force on the discs"),
-                                              (places, "centroid_x", lambda x: 0.75 * x, "FAIL  (permeability|that across the drive)")):
-            text = file.read_text()
-            lines = [line.split(",") for line in text.splitlines()]
-            place = next(k for k, title in enumerate(lines[0]) if title.startswith(column))
-            for line in lines[1:]:
-                line[place] = repr(change(float(line[place])))
-            file.write_text("\n".join(map(",".join, lines)) + "\n")
-            self.check_fails("random_array", message)
-            file.write_text(text)
+        self.fails_with_column("mean_x", lambda u: 1.3 * u, "FAIL  permeability")
+        self.fails_with_column("drag", lambda F: 1.01 * F, "FAIL  force on the discs")
+        self.fails_with_column("centroid_x", lambda x: 0.75 * x, "FAIL  (permeability|that across the drive)", file="objects.csv")
 
 
 class Exact(unittest.TestCase):

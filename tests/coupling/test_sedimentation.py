@@ -1,38 +1,24 @@
 """The cases sedimentation and density_ratio in a short, coarse form: what they tell on one rank and on two, by rigid and by soft objects."""
 
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
 import numpy as np
 
 import caselib
+from case_test import CaseTest
 
 sys.path += [str(caselib.CASES / name) for name in ("sedimentation", "density_ratio")]
 import fall  # noqa: E402
 import motion  # noqa: E402
 
 
-class CaseTest(unittest.TestCase):
-    def run_case(self, name, *words, **variables):
-        scratch = tempfile.TemporaryDirectory(prefix="swellflow_")
-        self.addCleanup(scratch.cleanup)
-        folder = Path(scratch.name) / "run"
-        command = [str(caselib.CASES / "run"), name, "--out", str(folder), *words]
-        for key, value in variables.items():
-            command += ["-var", key, str(value)]
-        result = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120)
-        self.assertEqual(result.returncode, 0, result.stdout[-2000:].decode(errors="replace"))
-        return folder
-
-
 class Sedimentation(CaseTest):
     """With 50 cells across the box, 6 across the disc."""
 
     def fall(self, *words, **variables):
-        return fall.Fall(self.run_case("sedimentation", *words, cells=50, t_frame=10, **variables))
+        self.run_case("sedimentation", *words, cells=50, t_frame=10, **variables)
+        return fall.Fall(self.folder)
 
     def test_case_a_falls_as_published_and_comes_to_rest(self):
         run = self.fall(t_end=1.25)
@@ -63,17 +49,21 @@ class Sedimentation(CaseTest):
 class DensityRatio(CaseTest):
     """With 8 cells across the disc, where drags are a few per cent off, and fewer fluid steps."""
 
+    def motion(self, *words, **variables):
+        self.run_case("density_ratio", *words, cells=8, frames=1, **variables)
+        return motion.Motion(self.folder)
+
     def test_the_terminal_velocity_does_not_depend_on_the_density(self):
         terminal = {}
         for density in (0.5, 1, 2, 10):
-            run = motion.Motion(self.run_case("density_ratio", "--np", "2", density=density, cells=8, steps_least=200, frames=1, re=5))
+            run = self.motion("--np", "2", density=density, steps_least=200, re=5)
             terminal[density] = run.terminal
             self.assertLess((np.maximum.accumulate(run.smooth) - run.smooth).max(), 0.02)
         for density, velocity in terminal.items():
             self.assertLess(abs(velocity / terminal[2] - 1.0), 0.03, density)
 
     def test_a_weightless_disc_stays(self):
-        run = motion.Motion(self.run_case("density_ratio", density=1, pull=0, cells=8, steps_least=100, frames=1))
+        run = self.motion(density=1, pull=0, steps_least=100)
         self.assertLess(np.abs(run.reported).max(), 1e-10)
 
 

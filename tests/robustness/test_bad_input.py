@@ -6,6 +6,7 @@ What shows during a run only ends in the same way.
 
 import re
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 from program import ProgramTest
 from scene import LINES, moved, scene
@@ -38,6 +39,8 @@ ROWS = [
      ["fix springs mass_spring", "'stiffness' is given twice", "keep one"]),
     ("not a number", with_word("springs", "1000", "1000x"), ["fix springs mass_spring", "'stiffness' must be", "'1000x'", "change"]),
     ("infinite number", with_word("springs", "1000", "inf"), ["fix springs mass_spring", "'stiffness' must be", "'inf'", "change"]),
+    ("a number whose square is none", with_word("springs", "1000", "1e200"), ["fix springs mass_spring", "'stiffness' must be a number > 0", "of a magnitude from 1e-100 to 1e100", "'1e200'", "change"]),
+    ("a length whose square is nothing", with_word("objects", "diameter 0.2", "diameter 1e-200"), ["create_objects", "'diameter' must be a number > 0", "of a magnitude from", "'1e-200'", "change"]),
     ("NaN", with_word("fluid", "1e-2", "nan"), ["fix water fluid/ib", "'viscosity' must be", "'nan'", "change"]),
     ("negative density", with_word("objects", "1500", "-1500"), ["create_objects", "'density' must be", "'-1500'", "change"]),
     ("negative diameter", with_word("objects", "diameter 0.2", "diameter -0.2"), ["create_objects", "'diameter' must be", "'-0.2'", "change"]),
@@ -52,7 +55,7 @@ ROWS = [
     ("a table of stiffness that is not there", with_word("springs", "restitution 1.0", "stiffening table soft.csv"),
      ["fix springs mass_spring", "the file must be readable", "'soft.csv'", "correct the name"]),
     ("springs too stiff for the time step", with_word("springs", "1000", "1e9"),
-     ["mass_spring", "an explicit time step must be shorter", "object (molecule) ", "but it is 0.001 at step 0", "nve/cds implicit"]),
+     ["guard", "longest with which springs are stable must be at most 1", "object (molecule) ", "fix springs at step 0", "nve/cds implicit", "guard warn"]),
     ("implicit motion without springs", {"springs": "", "move": "fix move all nve/cds implicit"},
      ["nve/cds (id move)", "must have one fix mass_spring", "has none", "add one"]),
     ("implicit motion with springs twice", {"springs": LINES["springs"] + "\nfix more all mass_spring stiffness 1", "move": "fix move all nve/cds implicit"},
@@ -102,6 +105,37 @@ ROWS = [
      ["output/vtk", "out", "folder of its own", "twin", "'post'", "name another"]),
 ]
 
+GUARD_ROWS = [
+    ("contacts too stiff for the time step", with_word("contact", "kn peratomtypepair 1 1e4", "kn peratomtypepair 1 1e9"),
+     ["guard", "longest with which contacts are stable must be at most 2", "type 1 with those of type 1 at step 0", "make contacts softer", "guard warn"]),
+    ("Young's modulus too large for the time step",
+     {"contact": "fix Y all property/global youngsModulus peratomtype 1e9\nfix nu all property/global poissonsRatio peratomtype 0.3\n"
+                 "fix e all property/global coefficientRestitution peratomtypepair 1 0.9\nfix mu all property/global coefficientFriction peratomtypepair 1 0.3",
+      "pair": "pair_style gran model hertz tangential history\npair_coeff * *", "timestep": "timestep 1e-2"},
+     ["guard", "longest with which contacts are stable must be at most 2", "make contacts softer", "guard warn"]),
+    ("rigid objects with too stiff contacts", {**with_word("contact", "kn peratomtypepair 1 1e4", "kn peratomtypepair 1 1e10"), "move": "fix move all rigid/cds"},
+     ["guard", "longest with which contacts are stable must be at most 2", "guard warn"]),
+    ("a side that moves by many cells in a step", with_word("fluid", "velocity 0.1 0", "velocity 1e4 0"),
+     ["guard", "CFL number must be at most 10", "is 640 for a side of the box, fix water at step 0", "'timestep'", "'cfl 0.5'", "guard warn"]),
+    ("a flow that starts too fast", with_word("fluid", "velocity 0.1 0", "velocity 0.1 0 initial_velocity 9e3 0"), ["guard", "CFL number", "the flow as it is, fix water", "'timestep'"]),
+    ("an object smaller than a cell", with_word("fluid", "cells 32 32", "cells 4 4"),
+     ["guard", "cell over the diameter of an object must be at most 1, but is 1.25 for object (molecule) 1", "use more 'cells'", "guard warn"]),
+    ("an object that grows past what it touches", dry(swell="fix grow all swell linear rate 1e3 max 0.6"),
+     ["guard", "growth of an outline in a time step over the radius of its spheres must be at most 1", "fix grow", "swell slower", "guard warn"]),
+    ("an object that grows before its springs can follow", with_word("swell", "6e-4 max 0.25", "20 max 0.5"),
+     ["guard", "while springs pull an outline after it, must be at most 0.5", "object (molecule) ", "fix grow", "stiffer springs", "guard warn"]),
+    ("a rigid object that is to be wider than the box", dry(move="fix move all rigid/cds\nfix flat all enforce2d", swell="fix grow all swell linear rate 9 max 1.1", run="run 110"),
+     ["guard", "diameter of a rigid object at the end of the run over the width of the box must be at most 1, but is 1.1", "object (molecule) ", "fix grow", "guard warn"]),
+    ("a fluid too viscous for the step of free objects", with_word("fluid", "viscosity 1e-2", "viscosity 100"),
+     ["guard", "over the square of a cell, with objects that move, must be at most 100, but is 204.8 for fix water at step 0", "a smaller 'every'", "guard warn"]),
+    ("an object that is to be larger than the box", with_word("swell", "6e-4 max 0.25", "1e3 max 5"), ["guard", "fix grow", "guard warn"]),
+    ("a guard that is not there", {"timestep": "timestep 1e-3\nguard weak"}, ["guard", "'mode' must be refuse or warn or off", "'weak'", "change"]),
+    ("a guard without a word", {"timestep": "timestep 1e-3\nguard"}, ["guard", "not enough arguments", "'mode'", "give"]),
+    ("a guard with too many words", {"timestep": "timestep 1e-3\nguard off on"}, ["guard", "unknown keyword", "'on'", "remove"]),
+    ("the hidden guard", {"timestep": "timestep 1e-3\nfix safe all guard"}, ["fix", "guard", "made with the box", "use the command 'guard'"]),
+]
+
+
 def fluid(words, boundary="f f p", before="", without_lid=True):
     """The scene with words at the end of the fluid's line, which has no moving lid unless it is asked for."""
     line = LINES["fluid"].replace(" wall yhi velocity 0.1 0", "") if without_lid else LINES["fluid"]
@@ -144,6 +178,24 @@ FLUID_ROWS = [
     ("start by a variable that is not there", fluid("initial_velocity v_u 0"), [PLACE, "'initial_velocity, x'", "'u' is not defined", "add"]),
 ]
 
+BALANCED = LINES["pair"] + "\naccuracy balanced"
+AUTO = with_word("fluid", "cells 32 32", "cells auto")
+
+ACCURACY_ROWS = [
+    ("an accuracy that is not there", {"pair": LINES["pair"] + "\naccuracy quick"}, ["accuracy", "must be fast or balanced or accurate or report", "'quick'", "change"]),
+    ("an accuracy without a word", {"pair": LINES["pair"] + "\naccuracy"}, ["accuracy", "not enough arguments", "fast or balanced", "give"]),
+    ("an accuracy with too many words", {"pair": BALANCED + " fast"}, ["accuracy", "unknown keyword", "'fast'", "remove"]),
+    ("an accuracy behind the objects", {"objects": LINES["objects"] + "\naccuracy fast"}, ["accuracy", "there are objects already", "put it above 'create_objects'"]),
+    ("an accuracy behind the fluid", {**dry(), "objects": "fix water all fluid/ib cells 32 32 density 1 viscosity 1\naccuracy fast"}, ["accuracy", "there is a fluid already", "put it above"]),
+    ("cells by an accuracy that was not given", AUTO, ["fix water fluid/ib", "'cells auto'", "'accuracy', which was not given", "add 'accuracy balanced'", "'cells NX NY'"]),
+    ("cells by objects that are not there", {"pair": BALANCED + "\nfix water all fluid/ib cells auto density 1 viscosity 1"},
+     ["fix water fluid/ib", "'cells auto' goes by the smallest object", "there is none", "below 'create_objects'"]),
+    ("cells that cannot be square", {**AUTO, "pair": BALANCED, "region": LINES["region"].replace("0 1 0 1", "0 1 0 0.9777")},
+     ["fix water fluid/ib", "cells must be square", "a box of 1 x 0.9777", "make it 1 x 0.983333", "60 x 59 cells", "'cells NX NY'"]),
+    ("too many cells", {**AUTO, "pair": BALANCED, "objects": LINES["objects"].replace("diameter 0.2", "diameter 2e-4")},
+     ["fix water fluid/ib", "4 to 46340 cells along a side", "'cells NX NY'"]),
+]
+
 HOLD = "fix flat all enforce2d\nfix hold all "
 
 HELD_ROWS = [
@@ -163,7 +215,7 @@ HELD_ROWS = [
     ("held without objects", {"objects": "", "springs": "", "swell": "", "thermo": "", "move": "fix hold all held"}, ["held", "create_objects"]),
 ]
 
-ROWS += FLUID_ROWS + HELD_ROWS
+ROWS += GUARD_ROWS + ACCURACY_ROWS + FLUID_ROWS + HELD_ROWS
 
 
 SCALAR = "fix fresh fluid/scalar"
@@ -178,6 +230,7 @@ ROWS += [
     ("a scalar without a fluid", {"fluid": "fix fresh all fluid/scalar diffusivity 0", "thermo": "", "output": ""},
      ["fluid/scalar", "fresh", "no fix fluid/ib", "add one above"]),
     ("a scalar above its fluid", {"fluid": "fix fresh all fluid/scalar diffusivity 0\n" + LINES["fluid"]}, ["fluid/scalar", "fresh", "below fix fluid/ib"]),
+    ("a scalar that would overflow", carried("diffusivity 0 initial 1e308"), [SCALAR, "'initial' must be", "of a magnitude", "'1e308'", "change"]),
     ("a scalar without diffusivity", carried("initial 1"), [SCALAR, "'diffusivity'", "length^2/time"]),
     ("a feed at a wall", carried("diffusivity 0 feed ylo 1"), [SCALAR, "'feed'", "nothing flows through ylo", "use 'value ylo C'"]),
     ("a value at a periodic side", carried("diffusivity 0 value xlo 1", boundary="boundary p f p"), [SCALAR, "xlo is periodic", "use 'feed xlo C'"]),
@@ -253,8 +306,8 @@ SWELL_ROWS = [
      ["swell", "grow", "natural diameter must be > 0", "object (molecule) 1", "-0.1 at time 0.01", "let it end earlier"]),
     ("a polynomial that dips below zero", swell("polynomial 1 -500 62000 until 10 gives ratio", run="run 100"),
      ["swell", "grow", "natural diameter must be > 0", "object (molecule) 1 the diameter -0.001613 at time 0.004032", "change the law"]),
-    ("a polynomial that overflows", swell("polynomial 0.2 1e308 1e308 until 1e3", timestep="timestep 1"),
-     ["swell", "grow", "natural diameter must be", "object (molecule) 1", "infinity at time 10", "change the law"]),
+    ("a polynomial that overflows", swell("polynomial 0.2 1e100 1e100 1e100 1e100 until 1e90", timestep="timestep 1e60"),
+     ["swell", "grow", "natural diameter must be", "object (molecule) 1", "infinity at time 1e+61", "change the law"]),
     ("a hydrogel that is not there", swell("hydrogel measured"), [GROW, "'hydrogel' must be printed or reconstructed", "'measured'", "change"]),
     ("a hydrogel in units without a millimetre", swell("hydrogel printed", units="units lj"), [GROW, "'millimetre' is missing", "add"]),
     ("a law's file that is not there", swell("table nowhere.csv"), [GROW, "file must be readable", "'nowhere.csv'", "correct"]),
@@ -373,6 +426,22 @@ RANDOM_ROWS = [
 
 ROWS += RANDOM_ROWS
 
+# What would end without a word, or never, were it begun.
+TOO_MUCH_ROWS = [
+    ("more cells than the memory holds", with_word("fluid", "32 32", "1000000 1000000"), ["fix water fluid/ib", "1000000 x 1000000 cells must fit into the memory", "1e+05 GB", "ask for fewer"]),
+    ("more objects than anybody counts", with_word("objects", "2 2", "1000000 1000000"), ["create_objects lattice", "at most 1e7 objects", "1000000 x 1000000", "ask for fewer"]),
+    ("more points than LIGGGHTS counts", {"objects": LINES["objects"].replace("2 2", "3000 3000").replace("points 16", "points 10000")},
+     ["create_objects lattice", "numbers points up to 2147483647", "9.001e+10", "fewer objects"]),
+    ("more points than an outline has use for", with_word("objects", "points 16", "points 10001"), ["create_objects", "'points' must be a whole number in [3, 10000]", "'10001'", "change"]),
+    ("more at random than the whole place", at_random("number 5", "number 100000"), [PLACE, "must fit into their place", "100000 objects, a solid fraction of 785.4", "ask for less"]),
+    ("markers without end", fluid("marker_gap 1e-9"), ["fix water fluid/ib", "'marker_gap' must be a number >= 0.01", "'1e-9'", "change"]),
+    ("forcing without end", fluid("forcing multi 1000000"), ["fix water fluid/ib", "'forcing multi' must be a whole number in [1, 1000]", "'1000000'", "change"]),
+    ("gaps wider than the box", {"move": LINES["move"] + "\nfix gaps all lubrication/cds viscosity 10 cutoff 1e9 minimum 1e-3"},
+     ["fix gaps lubrication/cds", "at most the shorter side of the box, 1,", "are 1e+09 and 7e+08", "lower"]),
+]
+
+ROWS += TOO_MUCH_ROWS
+
 RUNAWAY = ["objects", "must", "object (molecule) ", "at step ", "use a shorter time step or softer springs"]
 
 DURING_A_RUN = [
@@ -388,17 +457,17 @@ DURING_A_RUN = [
     ("objects that shrink until the time step is too long",
      dry(map=LINES["map"] + "\nvariable size equal 1-0.18*step/5000", swell="fix grow all swell ratio v_size", timestep="timestep 1e-2", run="run 25000",
          springs="fix springs all mass_spring stiffness 5000"),
-     ["mass_spring", "an explicit time step must be shorter", "object (molecule) ", "at step ", "shorten it, or move the objects with 'nve/cds implicit'"]),
+     ["guard", "longest with which springs are stable must be at most 1, but is 1.0", "object (molecule) ", "fix springs at step ", "shorten 'timestep' to", "'nve/cds implicit'"]),
     ("a variable size that becomes negative", dry(map=LINES["map"] + "\nvariable size equal 0.2-0.1*step", swell="fix grow all swell diameter v_size"),
      ["swell", "grow", "natural diameter must be > 0", "variable 'size' gives object (molecule) 1", "diameter 0 at time 0.002", "change its formula"]),
     ("a variable size that is not a number", dry(map=LINES["map"] + "\nvariable size equal 0.2+(step>3)*1e308*10", swell="fix grow all swell diameter v_size"),
      [GROW, "'diameter'", "finite number", "variable 'size' gave", "for step 4", "change its formula"]),
     ("a variable size that scatter takes below zero",
-     dry(map=LINES["map"] + "\nvariable size equal 0.2-0.02*step", swell="fix grow all swell diameter v_size scatter 0 1 seed 1"),
+     dry(map=LINES["map"] + "\nvariable size equal 0.2-0.02*step", swell="fix grow all swell diameter v_size scatter 0 1 seed 1", run="guard off\nrun 10"),
      ["swell", "grow", "natural diameter must be > 0", "variable 'size' gives object (molecule) ", "at time 0.00", "change its formula"]),
     ("a force that is not a number, and no reneighbouring",
-     dry(run="variable nan equal 1e308*10-1e308*10\ngroup one id 5\nfix push one addforce v_nan 0 0\nrun 10"), RUNAWAY + ["finite"]),
-    ("points that become infinite", dry(springs="", run="group one id 5\nfix push one addforce 1e308 0 0\ntimestep 1e10\nrun 10"),
+     dry(run="variable nan equal 1e308*10-1e308*10\ngroup one id 5\nfix push one addforce v_nan 0 0\nrun 10"), ["guard", "must be finite", "object (molecule) 1", "at step 5"]),
+    ("points that become infinite", dry(springs="", run="guard off\ngroup one id 5\nfix push one addforce 1e308 0 0\ntimestep 1e10\nrun 10"),
      RUNAWAY + ["finite"]),
     ("a wall that begins to leave its plane", fluid("wall yhi velocity 0 v_u", before="variable u equal 0.1*(step>5)\n"),
      ["fix water fluid/ib", "within its plane", "yhi is 0.1", "set it to 0", "variable 'u' for step 6"]),
@@ -409,7 +478,7 @@ DURING_A_RUN = [
     ("a prescribed velocity that is not a number",
      {"swell": "", "thermo": "thermo 5", "move": HOLD + "prescribed velocity v_u 0", "map": LINES["map"] + "\nvariable u equal (step>5)*1e308*10"},
      ["fix hold prescribed", "'velocity, x'", "finite number", "variable 'u' gave", "for step 6", "change its formula"]),
-    ("a flow that blows up", {"swell": "", "thermo": "thermo 5", "move": HOLD + "held", "run": "run 200",
+    ("a flow that blows up", {"swell": "", "thermo": "thermo 5", "move": HOLD + "held", "run": "guard off\nrun 200",
                               "fluid": LINES["fluid"].replace("0.1 0", "1000 0")},
      ["the fluid's velocity must stay finite", "step of length 0.002", "use a smaller 'timestep'", "advection bounded"]),
     ("a box that changes under its fluid", {"run": "run 10\nchange_box all x final 0 2 boundary f f p units box\nrun 10"},
@@ -444,11 +513,17 @@ STAYS_ALLOWED = [
 class BadInput(ProgramTest):
     timeout = 30
 
-    def check(self, ranks, rows=None, runs=False):
-        for name, change, words in rows or ROWS:
+    def run_row(self, row, ranks):
+        name, change, _ = row
+        return self.run_program(change if isinstance(change, str) else scene(**change), ranks=ranks, name=f"{name} {ranks}".replace(" ", "_"))
+
+    def check(self, ranks, rows=ROWS, runs=False):
+        """Two at a time: most of what a row takes is the start of its ranks."""
+        with ThreadPoolExecutor(2) as pool:
+            tasks = [pool.submit(self.run_row, row, ranks) for row in rows]
+        for (name, _, words), task in zip(rows, tasks):
             with self.subTest(name, ranks=ranks):
-                script = change if isinstance(change, str) else scene(**change)
-                result = self.run_program(script, ranks=ranks, name=f"{name} {ranks}".replace(" ", "_"))
+                result = task.result()
                 self.assertNotEqual(result.status, 0, "the run went on")
                 self.assertNotRegex(result.output, "Segmentation|signal|terminate called|assert", "it crashed")
                 self.assertEqual(bool(re.search(r"^ *Step ", result.output, re.M)), runs, "whether the run began")

@@ -30,6 +30,7 @@ std::vector<NewObject> made(const std::string &line, const std::string &file_tex
   for (std::string &word : words) arg.push_back(word.data());
   ObjectScene scene;
   scene.text_of_file = [&](const std::string &) { return file_text; };
+  scene.require_room = [](const std::string &, double) {};
   scene.box = [] { return PlaneBox{.low = {0, 0}, .high = {1, 1}, .periodic = {true, false}}; };
   return read_object_list(arg.size(), arg.data(), scene).objects;
 }
@@ -44,7 +45,7 @@ std::string complaint(const std::string &line, const std::string &file_text = ""
 FluidScript fluid(const std::string &words, bool periodic_x = false, bool periodic_y = false)
 {
   Arguments line("fix water fluid/ib", words_of("cells 40 20 density 1000 viscosity 0.01 " + words));
-  return FluidScript(line, {.periodic = {periodic_x, periodic_y}, .length = {2.0, 1.0}});
+  return FluidScript(line, {.periodic = {periodic_x, periodic_y}, .length = {2.0, 1.0}, .smallest_object = {}}, {});
 }
 
 std::string fluid_complaint(const std::string &words, bool periodic_x = false, bool periodic_y = false)
@@ -117,14 +118,14 @@ TEST(CreateObjectsLine, SaysWhatIsWrong)
   expect_all(complaint("disk 0.5 0.5 diameter 0.1 density -1500"), {"'density' must be a number > 0", "'-1500'"});
   expect_all(complaint("disk 0.5 0.5 diameter nan density 1"), {"'diameter' must be a number > 0", "'nan'"});
   expect_all(complaint("disk 0.5 0.5 diameter inf density 1"), {"'diameter' must be a number > 0", "'inf'"});
-  expect_all(complaint(good + " points 2"), {"'points' must be a whole number >= 3", "'2'"});
+  expect_all(complaint(good + " points 2"), {"'points' must be a whole number in [3, 10000]", "'2'"});
   expect_all(complaint(good + " points 20.5"), {"'points' must be a whole number", "'20.5'"});
   expect_all(complaint(good + " points 1e12"), {"'points' must be a whole number", "'1e12'"});
   expect_all(complaint(good + " cds 0.6"), {"'cds' must be a number in (0, 0.5] (of the diameter)", "'0.6'"});
   expect_all(complaint(good + " type 0"), {"'type' must be a whole number >= 1", "'0'"});
   expect_all(complaint(good + " mass heavy"), {"'mass' must be hub_half or equal", "'heavy'"});
   expect_all(complaint(good + " colour red"), {"unknown keyword 'colour'", "known are diameter, density, points, angle, spokes, cds, reach, cds_points, hub_cds, type, mass, sizes"});
-  expect_all(complaint(good + " points"), {"not enough arguments for 'points'", ">= 3"});
+  expect_all(complaint(good + " points"), {"not enough arguments for 'points'", "in [3, 10000]"});
   expect_all(complaint(good + " density 2"), {"keyword 'density' is given twice"});
   expect_all(complaint("lattice 4 0 origin 0 0 spacing 1 disk diameter 0.1 density 1"), {"'objects along y' must be a whole number >= 1"});
   expect_all(complaint("lattice 4 4 at 0 0"), {"create_objects lattice", "here must stand 'origin'", "'at'"});
@@ -235,7 +236,7 @@ TEST(FluidLine, SaysWhatIsWrong)
   EXPECT_EQ(fluid_complaint("mean_velocity x 1 body_force 0 1", true), "no error");
   expect_all(fluid_complaint("cfl 0.5"), {"'cfl'", "'every' is missing", "add 'every N'"});
   expect_all(fluid_complaint("cfl 0 every 5"), {"'cfl' must be a number > 0", "'0'"});
-  expect_all(fluid_complaint("forcing multi"), {"not enough arguments for 'forcing multi'", ">= 1"});
+  expect_all(fluid_complaint("forcing multi"), {"not enough arguments for 'forcing multi'", "in [1, 1000]"});
   expect_all(fluid_complaint("forcing twice"), {"'forcing' must be direct or multi or implicit", "'twice'"});
   expect_all(fluid_complaint("kernel roma"), {"'kernel' must be roma_1999 or peskin_2002 or yang_2009 or gruninger_2025", "'roma'"});
   expect_all(fluid_complaint("advection upwind"), {"'advection' must be central or bounded or none", "'upwind'"});

@@ -232,6 +232,8 @@ TEST(Shapes, SayWhatIsWrong)
   expect_all(complaint({.contour = disk(), .cds = 0.5, .reach = 0.0}), {"must fit between outline and hub", "lower 'cds'"});
   expect_all(complaint({.contour = ellipse(4, 1), .cds = 0.3, .reach = 0.0}), {"must fit between outline and hub"});
   expect_all(complaint({.contour = disk(), .spokes = false, .cds = 0.1, .reach = 0.05}), {"inside the outline need spokes", "'spokes no'", "leave 'reach' out"});
+  expect_all(complaint({.contour = ellipse(1e6, 1), .cds = 1e-3}), {"at most 15 diameters", "farther", "less slender"});
+  expect_all(complaint({.contour = outline({{0, 0}, {1, 0}, {1, 1}, {0.5, 1e9}, {0, 1}}), .spokes = false}), {"at most 15 diameters", "less slender"});
   expect_all(complaint({.contour = disk(), .points = 20, .cds_points = 8}), {"'cds_points' must divide", "20", "8", "change"});
   expect_all(complaint({.contour = outline(pear), .points = 2}), {"'points' must be 0", "at least 3", "2"});
   const Polygon thin_bay = {{-2, -2}, {2, -2}, {2, -1.9}, {-1.9, -1.9}, {-1.9, 1.9}, {2, 1.9}, {2, 2}, {-2, 2}};

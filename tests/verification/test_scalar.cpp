@@ -99,6 +99,15 @@ TEST(ScalarBounds, NoNewExtrema)
   }
 }
 
+/// A flow that has gone astray does not keep its scalar busy for ever.
+TEST(ScalarBounds, AFlowThatIsTooFastToFollow)
+{
+  Scene scene(16, 16, 1.0 / 16, both, 0.0, {});
+  scene.start([](double, double) { return 1.0; });
+  scene.uniform_flow(1e15, 0.0);
+  EXPECT_THROW(scene.run(1.0, 1.0), std::runtime_error);
+}
+
 /// From a uniform start, with a value on one side and another flowing in.
 TEST(ScalarBounds, NoneAtSidesEither)
 {
