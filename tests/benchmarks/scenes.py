@@ -24,6 +24,7 @@ class Scene:
     def __init__(self, name, ranks=1, script=BED, program=None, **variables):
         self.name, self.ranks, self.script, self.program, self.variables = name, ranks, script, program, variables
         self.seconds = float("inf")  # of ten steps, which are a fluid step
+        self.shares = {}             # of the time, by part, in whole per cent
 
     def words(self, program):
         return ["mpirun", "--oversubscribe", "-np", str(self.ranks), str(self.program or program), "-in", str(self.script), "-log", "log.scene",
@@ -36,6 +37,8 @@ class Scene:
             sys.exit(f"{self.name}:\n" + result.stdout[-2000:] + result.stderr[-2000:])
         seconds, steps = map(float, loops[-1])
         self.seconds = min(self.seconds, seconds * 10 / steps)
+        progress = re.findall(r"^Progress: 100.*left; (.*)$", result.stdout, re.M)
+        self.shares = {name: int(share) for name, share in re.findall(r"(\w+) (\d+) %", progress[-1])} if progress else {}
 
 
 def measure(program, scenes):
