@@ -42,3 +42,14 @@ def moved(name, behind):
     names = [key for key in LINES if key != name]
     names.insert(names.index(behind) + 1, name)
     return "\n".join(LINES[key] for key in names) + "\n"
+
+
+def with_word(line, old, new):
+    """The change of one line by one word."""
+    assert old in LINES[line], (line, old)
+    return {line: LINES[line].replace(old, new)}
+
+
+def dry(**changes):
+    """The scene without a fluid and what needs one."""
+    return {"fluid": "", "output": "", "swell": "", "thermo": "thermo 5", **changes}

@@ -47,18 +47,6 @@ def swelling_clock():
                                     [("swelling_clock", f"shear_{clock}", {"scene": "shear", "clock": clock, "rate": 2e-3, "T": 125}) for clock in (100, 300, 1000)])
 
 
-def tradeoff():
-    return case("tradeoff", "tradeoff", "--check")
-
-
-def extremes():
-    return case("extremes", "extremes", "--check")
-
-
-def swelling_bed():
-    return case("swelling_bed", "swelling_bed", "--np", "2", "--check")
-
-
 def swelling_bed_gap():
     return all_of("swelling_bed_gap", [("swelling_bed", f"reach_{reach}", {"beads": 100, "across": 10, "reach": reach}) for reach in (0.05, 0.075, 0.1)] +
                                       [("swelling_bed", "reach_0.15", {"beads": 100, "across": 10, "reach": 0.15, "cds": 0.15, "fraction": 0.48}),
@@ -248,9 +236,9 @@ PARTS = {
     "flow_schaefer_turek": (flow_schaefer_turek, "benchmark 2D-1, 100 cells across the cylinder"),
     "flow_cylinder_steady": (flow_cylinder_steady, "cylinder in a stream, Re 20 and 40"),
     "flow_cylinder_shedding": (flow_cylinder_shedding, "cylinder in a stream, Re 100, 32 cells across it"),
-    "tradeoff": (tradeoff, "the presets of the command accuracy keep what they promise, and lie on the front of Pareto"),
-    "extremes": (extremes, "two discs at the edges of what may be asked for, one by one and in pairs: right, or refused, and never wrong"),
-    "swelling_bed": (swelling_bed, "2,000 hydrogel beads swell where fresh water reaches them, and choke its way"),
+    "tradeoff": (lambda: case("tradeoff", "tradeoff", "--check"), "the presets of the command accuracy keep what they promise, and lie on the front of Pareto"),
+    "extremes": (lambda: case("extremes", "extremes", "--check"), "two discs at the edges of what may be asked for, one by one and in pairs: right, or refused, and never wrong"),
+    "swelling_bed": (lambda: case("swelling_bed", "swelling_bed", "--np", "2", "--check"), "2,000 hydrogel beads swell where fresh water reaches them, and choke its way"),
     "swelling_bed_gap": (swelling_bed_gap, "100 of them, with hydraulic gaps of 0.05 to 0.15 of D, and without swelling"),
     "swelling_clock": (swelling_clock, "a faster clock of swelling leaves results as they are within what its measures promise"),
     "decomposition": (decomposition, "objects that cross, touch and rub end alike on every grid of 1 to 4 ranks, by each integrator"),

@@ -2,7 +2,6 @@
 
 import importlib.util
 import re
-import subprocess
 import unittest
 
 import caselib

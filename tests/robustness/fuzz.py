@@ -10,7 +10,6 @@ import csv
 import hashlib
 import random
 import shutil
-import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
