@@ -30,28 +30,26 @@ struct Fit {
   double size() const { return std::hypot(turn.crossed, turn.along) / rest_inertia; }
 };
 
-/// Takes a rigid motion (V, w) to the velocity of a point at r from the centre.
-Eigen::Matrix<double, 2, 3> motion_at(const Vector2 &r)
-{
-  Eigen::Matrix<double, 2, 3> motion;
-  motion << 1.0, 0.0, -r.y(), 0.0, 1.0, r.x();
-  return motion;
-}
-
 Eigen::Vector3d motion_of(const WholeMotion &whole) { return {whole.velocity.x(), whole.velocity.y(), whole.spin()}; }
 
 /// Velocity and spin (about the centre) after the fluid's impulse: m (V1 - V) = dt sum (a - kappa u), I (w1 - w) = dt sum r x (a - kappa u), u = V1 + w1 x r + growth r.
 Eigen::Vector3d motion_after_drag(const PointBody &body, const WholeMotion &whole, double growth, double dt)
 {
-  Eigen::Matrix3d A = Eigen::Vector3d(whole.mass, whole.mass, whole.inertia).asDiagonal();
-  Eigen::Vector3d b = A * motion_of(whole);
+  double kappa = 0.0, kappa_inertia = 0.0, turning = 0.0;
+  Vector2 kappa_moment = Vector2::Zero(), pushing = Vector2::Zero();
   for (int i = 0; i < body.size(); ++i) {
     const Vector2 r = body.x[i] - whole.centre;
-    const Eigen::Matrix<double, 2, 3> motion = motion_at(r);
-    A += dt * body.kappa[i] * motion.transpose() * motion;
-    b += motion.transpose() * (dt * (body.a[i] - body.kappa[i] * growth * r));
+    kappa += body.kappa[i];
+    kappa_moment += body.kappa[i] * r;
+    kappa_inertia += body.kappa[i] * r.squaredNorm();
+    pushing += body.a[i];
+    turning += cross(r, body.a[i]);
   }
-  return A.ldlt().solve(b);
+  const double linear = whole.mass + dt * kappa, x = dt * kappa_moment.x(), y = dt * kappa_moment.y(), angular = whole.inertia + dt * kappa_inertia;
+  Eigen::Matrix3d A;
+  A << linear, 0.0, -y, 0.0, linear, x, -y, x, angular;
+  const Vector2 momentum = whole.mass * whole.velocity + dt * (pushing - growth * kappa_moment);
+  return A.ldlt().solve(Eigen::Vector3d(momentum.x(), momentum.y(), whole.inertia * whole.spin() + dt * turning));
 }
 
 /// The same, and each point gets its impulse. What the points are said to have received is what the body has received, to the last digit.
@@ -60,7 +58,7 @@ Eigen::Vector3d feel_drag(PointBody &body, const WholeMotion &whole, double grow
   const Eigen::Vector3d motion = motion_after_drag(body, whole, growth, dt);
   Eigen::Vector3d result = motion_of(whole);
   for (int i = 0; i < body.size(); ++i) {
-    const Vector2 r = body.x[i] - whole.centre, impulse = dt * (body.a[i] - body.kappa[i] * (motion_at(r) * motion + growth * r));
+    const Vector2 r = body.x[i] - whole.centre, impulse = dt * (body.a[i] - body.kappa[i] * (motion.head<2>() + turned(motion[2], r) + growth * r));
     body.impulse[i] += impulse;
     result += Eigen::Vector3d(impulse.x() / whole.mass, impulse.y() / whole.mass, cross(r, impulse) / whole.inertia);
   }
