@@ -99,8 +99,8 @@ void FixFluidIb::add_limits_of_objects(std::vector<Figure> &figures)
   const auto add = [&](int k, const char *name, double watch, double poor, const char *remedy) {
     if (worst[k].object > 0) figures.push_back({.name = name, .value = worst[k].value, .watch = watch, .poor = poor, .place = name_of(worst[k].object), .remedy = remedy});
   };
-  add(LIGHT, "density of the fluid over that of an object", 1000.0, Figure::never, "make the object heavier");
-  add(HEAVY, "density of an object over that of the fluid", 1000.0, Figure::never, "make the object lighter, or leave the fluid out");
+  add(LIGHT, "density of the fluid over that of an object", 1010.0, Figure::never, "make the object heavier");
+  add(HEAVY, "density of an object over that of the fluid", 1010.0, Figure::never, "make the object lighter, or leave the fluid out");
   add(SMALL, "cell over the diameter of an object", 0.25, 1.0, "use more 'cells', or larger objects");
   add(SPARSE, "distance of neighbouring markers in cells", 2.0, Figure::never, "use a smaller 'marker_gap', or more 'points'");
 }
@@ -142,7 +142,7 @@ void FixFluidIb::add_accuracy(std::vector<Figure> &figures)
   figures.push_back({.name = "divergence, cells x divergence / speed", .value = worst_.divergence(), .watch = 1e-9, .poor = 1e-6, .place = place, .remedy = "use a shorter 'timestep'"});
   if (!find_objects(lmp)) return;
   figures.push_back({.name = "slip at outlines / speed", .value = worst_.slip(), .watch = 0.01, .poor = 0.05, .place = place,
-                     .remedy = "use a shorter 'timestep', a smaller 'every', 'projections 2' or 'forcing multi 3'"});
+                     .remedy = "use a shorter 'timestep', a smaller 'every'"s + (script_->options().projections < 2 ? ", 'projections 2'" : "") + " or 'forcing multi 3'"});
   figures.push_back({.name = "momentum given less received / exchanged", .value = worst_.momentum_error, .watch = 1e-9, .poor = 1e-6, .place = place, .remedy = "use a shorter 'timestep'"});
   figures.push_back({.name = "distance of markers / cell", .value = worst_.marker_gap, .watch = 1.5, .poor = 2.0, .place = place, .remedy = "use a smaller 'marker_gap', or more 'points'"});
 }

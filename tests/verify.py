@@ -38,19 +38,17 @@ def cavity_stiff():
     return case("cavity_swelling", "cavity_stiff", "--np", "2", "--check")
 
 
-def cavity_soft():
-    return case("cavity_swelling", "cavity_soft", "--np", "2", "-var", "ks", "100", "--check")
-
-
 def swelling_clock():
     return all_of("swelling_clock", [("swelling_clock", f"bed_{clock}", {"clock": clock}) for clock in (3, 10, 30)] +
                                     [("swelling_clock", f"shear_{clock}", {"scene": "shear", "clock": clock, "rate": 2e-3, "T": 125}) for clock in (100, 300, 1000)])
 
 
 def swelling_bed_gap():
-    return all_of("swelling_bed_gap", [("swelling_bed", f"reach_{reach}", {"beads": 100, "across": 10, "reach": reach}) for reach in (0.05, 0.075, 0.1)] +
-                                      [("swelling_bed", "reach_0.15", {"beads": 100, "across": 10, "reach": 0.15, "cds": 0.15, "fraction": 0.48}),
-                                       ("swelling_bed", "no_swelling", {"beads": 100, "across": 10, "swelling": 0})])
+    """Gaps below two cells are there for the README's table alone: what they hold back is the grid's work, not the beads'."""
+    narrow = ("--np", "2", "-var", "beads", "100", "-var", "across", "10")
+    beds = {"reach_0.05": ("reach", "0.05"), "reach_0.075": ("reach", "0.075"), "reach_0.1": ("reach", "0.1", "--check"), "no_swelling": ("swelling", "0", "--check"),
+            "reach_0.15": ("reach", "0.15", "-var", "cds", "0.15", "-var", "fraction", "0.48", "--check")}
+    return max([case("swelling_bed", f"swelling_bed_gap/{name}", *narrow, "-var", *words) for name, words in beds.items()])
 
 
 def decomposition():
@@ -217,7 +215,7 @@ def valgrind():
 
 PARTS = {
     "cavity_stiff": (cavity_stiff, "the paper's cavity with k_s = 1000, to t = 110"),
-    "cavity_soft": (cavity_soft, "the paper's cavity with k_s = 100, to t = 110"),
+    "cavity_soft": (lambda: case("cavity_swelling", "cavity_soft", "--np", "2", "-var", "ks", "100", "--check"), "the paper's cavity with k_s = 100, to t = 110"),
     "hydrogel": (hydrogel, "the paper's bead over 9.7 hours, by both forms of its law"),
     "sedimentation": (sedimentation, "the paper's falling disc, cases A, B and C, rigid and soft, 100 and 200 cells"),
     "sedimentation_mesh": (sedimentation_mesh, "its case A with 100, 200 and 300 cells"),
@@ -239,7 +237,7 @@ PARTS = {
     "tradeoff": (lambda: case("tradeoff", "tradeoff", "--check"), "the presets of the command accuracy keep what they promise, and lie on the front of Pareto"),
     "extremes": (lambda: case("extremes", "extremes", "--check"), "two discs at the edges of what may be asked for, one by one and in pairs: right, or refused, and never wrong"),
     "swelling_bed": (lambda: case("swelling_bed", "swelling_bed", "--np", "2", "--check"), "2,000 hydrogel beads swell where fresh water reaches them, and choke its way"),
-    "swelling_bed_gap": (swelling_bed_gap, "100 of them, with hydraulic gaps of 0.05 to 0.15 of D, and without swelling"),
+    "swelling_bed_gap": (swelling_bed_gap, "100 of them, with hydraulic gaps of two and three cells, and without swelling"),
     "swelling_clock": (swelling_clock, "a faster clock of swelling leaves results as they are within what its measures promise"),
     "decomposition": (decomposition, "objects that cross, touch and rub end alike on every grid of 1 to 4 ranks, by each integrator"),
     "kills": (kills, "a run that is killed 200 times ends as the unbroken one, to the last bit"),

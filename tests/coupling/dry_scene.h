@@ -100,7 +100,7 @@ public:
     MPI_Allgatherv(own.data(), size, MPI_DOUBLE, all.data(), sizes.data(), offsets.data(), MPI_DOUBLE, lmp()->world);
     State state;
     for (std::size_t k = 0; k < all.size(); k += 7)
-      std::copy(&all[k + 1], &all[k + 7], state[static_cast<int>(all[k])].begin());
+      std::copy_n(all.begin() + k + 1, 6, state[static_cast<int>(all[k])].begin());
     return state;
   }
 
