@@ -63,7 +63,7 @@ template <int Dim> void CoupledFluid<Dim>::require_finite_flow() const
   MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, flow_.grid().comm);
   if (!finite)
     throw NotFinite("the fluid's velocity must stay finite, but it is not after a fluid step of length " + std::to_string(last_dt_) +
-                             ": use a smaller 'timestep' or 'every', 'cfl 0.5', or 'advection bounded' where the grid is too coarse for the flow");
+                    ": use a smaller 'timestep' or 'every', 'cfl 0.5', or 'advection bounded' where the grid is too coarse for the flow");
 }
 
 template <int Dim> FluidReport CoupledFluid<Dim>::report()

@@ -65,6 +65,7 @@ class FixFluidIb : public Fix, public swellflow::KnowsFigures {
   bool moves_objects() const;
   swellflow::Figure viscous_figure(int dem_steps) const;
   double largest_marker_gap(const swellflow::ObjectPoints &object) const;
+  double largest_speed_of_points() const;
   void note_accuracy();
   void make_partner();
   void continue_from_file();

@@ -13,18 +13,11 @@
 #include "object_geometry.h"
 #include "options.h"
 #include "update.h"
+#include "worst_object.h"
 
 using namespace LAMMPS_NS;
 using namespace swellflow;
 using namespace std::string_literals;
-
-namespace {
-
-struct Largest { double value; int object; };  // laid out as MPI_DOUBLE_INT
-
-std::string name_of(int object) { return "object (molecule) " + std::to_string(object); }
-
-}  // namespace
 
 double FixFluidIb::cell() const { return (box_high_[0] - box_low_[0]) / script_->options().cells[0]; }
 
@@ -84,18 +77,16 @@ Figure FixFluidIb::viscous_figure(int dem_steps) const
 void FixFluidIb::add_limits_of_objects(std::vector<Figure> &figures)
 {
   enum { LIGHT, HEAVY, SMALL, SPARSE, N_LIMITS };
-  std::array<Largest, N_LIMITS> worst;
-  worst.fill({0.0, 0});
+  std::array<WorstObject, N_LIMITS> worst;
   const FixObjects &known = *find_objects(lmp);
   for (const ObjectPoints &object : known.objects()) {
     if (!known.owns(object)) continue;
     const double *point = known.points()[object.hub], lambda = point[FixObjects::LAMBDA];
     const double density = point[FixObjects::OBJECT_MASS] * atom->rmass[object.hub] / point[FixObjects::MASS] / (lambda * lambda * point[FixObjects::NATURAL_AREA]);
     const double values[] = {this->density() / density, density / this->density(), cell() / (lambda * point[FixObjects::DIAMETER]), largest_marker_gap(object)};
-    for (int k = 0; k < N_LIMITS; k++)
-      if (values[k] > worst[k].value) worst[k] = {values[k], atom->molecule[object.hub]};
+    for (int k = 0; k < N_LIMITS; k++) worst[k].meet(values[k], atom->molecule[object.hub]);
   }
-  MPI_Allreduce(MPI_IN_PLACE, worst.data(), N_LIMITS, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, worst);
   const auto add = [&](int k, const char *name, double watch, double poor, const char *remedy) {
     if (worst[k].object > 0) figures.push_back({.name = name, .value = worst[k].value, .watch = watch, .poor = poor, .place = name_of(worst[k].object), .remedy = remedy});
   };
@@ -124,11 +115,22 @@ double FixFluidIb::largest_marker_gap(const ObjectPoints &object) const
    since the run began
 ------------------------------------------------------------------------- */
 
+/// Collective.
+double FixFluidIb::largest_speed_of_points() const
+{
+  const FixObjects *known = find_objects(lmp);
+  double square = 0.0;
+  for (int i = 0; known && i < atom->nlocal; i++)
+    if (known->is_point(i)) square = std::max(square, Vector2(atom->v[i][0], atom->v[i][1]).squaredNorm());
+  MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_MAX, world);
+  return std::sqrt(square);
+}
+
 void FixFluidIb::note_accuracy()
 {
   constexpr int steps_between_reports = 20;
   if (whole_steps_ % steps_between_reports != 0) return;
-  worst_.add(report(), cell());
+  worst_.add(report(), cell(), largest_speed_of_points());
   if (const Figure now = cfl_figure(report().cfl, "the flow as it is"); now.is_poor() && script_->options().advection != AdvectionScheme::none) judge(lmp, now);
   if (const Figure now = viscous_figure(dem_steps_); now.is_poor() && has_free_objects_) judge(lmp, now);
 }
@@ -136,7 +138,7 @@ void FixFluidIb::note_accuracy()
 void FixFluidIb::add_accuracy(std::vector<Figure> &figures)
 {
   if (!partner_ || whole_steps_ == 0) return;
-  worst_.add(report(), cell());
+  worst_.add(report(), cell(), largest_speed_of_points());
   const std::string place = "fix "s + id;
   figures.push_back({.name = "CFL number", .value = worst_.cfl, .watch = 0.7, .poor = 1.3, .place = place, .remedy = "use a shorter 'timestep', a smaller 'every', or 'cfl 0.5'"});
   figures.push_back({.name = "divergence, cells x divergence / speed", .value = worst_.divergence(), .watch = 1e-9, .poor = 1e-6, .place = place, .remedy = "use a shorter 'timestep'"});

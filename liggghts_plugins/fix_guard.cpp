@@ -28,8 +28,6 @@ constexpr double smallest_area = 0.1;             // of an object in a fluid, of
 constexpr double farthest_way = 2.0;              // of a point between two looks at what is around it, in radii of its object
 constexpr const char *warning_only = ", or give 'guard warn' above the run to try it nevertheless";
 
-std::string name_of(int object) { return "object (molecule) " + std::to_string(object); }
-
 /// Before the first step there is none to go on from, and nothing to go on with.
 std::string last_good_file(LAMMPS *lmp)
 {
@@ -66,8 +64,17 @@ void FixGuard::setup(int)
   areas_.begin();
   looks_ = 0;
   looked_at_ = -1;
+  find_writers();
   follow_areas();
   check_limits();
+}
+
+/// Once a run, since their names are compared.
+void FixGuard::find_writers()
+{
+  written_every_.clear();
+  for (int k = 0; k < modify->nfix; k++)
+    if (const Fix &fix = *modify->fix[k]; writes(fix) && fix.nevery > 0) written_every_.push_back(fix.nevery);
 }
 
 void FixGuard::pre_initial_integrate()
@@ -115,9 +122,7 @@ bool FixGuard::is_due() const
   if (output->next == update->ntimestep) return true;
   const FixFluidIb *fluid = find_fluid(lmp);
   if (fluid ? fluid->last_dem_step() : update->ntimestep % steps_between_looks == 0) return true;
-  for (int k = 0; k < modify->nfix; k++)
-    if (const Fix &fix = *modify->fix[k]; writes(fix) && fix.nevery > 0 && update->ntimestep % fix.nevery == 0) return true;
-  return false;
+  return std::any_of(written_every_.begin(), written_every_.end(), [&](int every) { return update->ntimestep % every == 0; });
 }
 
 void FixGuard::end_of_step()

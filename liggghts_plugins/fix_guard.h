@@ -29,6 +29,7 @@ class FixGuard : public Fix, public swellflow::KnowsFigures {
   void judge(const std::vector<swellflow::Figure> &limits);
 
  private:
+  void find_writers();
   void check_limits();
   bool is_due() const;
   void look();
@@ -40,6 +41,7 @@ class FixGuard : public Fix, public swellflow::KnowsFigures {
   double step_of_limits_ = 0.0;       // that they were checked for
   bigint looked_at_ = -1;             // step
   int looks_ = 0;                     // in this run
+  std::vector<int> written_every_;    // steps, by the fixes that write
   StateLook state_;
   AreaBalance areas_;
   std::vector<std::string> warned_;   // names of figures

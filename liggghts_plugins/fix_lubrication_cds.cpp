@@ -72,16 +72,16 @@ void FixLubricationCds::init()
 
 void FixLubricationCds::require_discs()
 {
-  struct { double value; int object; } other{0.0, 0};  // laid out as MPI_DOUBLE_INT
+  WorstObject other;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit) || !objects_->is_point(i)) continue;
     const double *point = objects_->points()[i], D = point[FixObjects::DIAMETER];
     const double excess = 8.0 * point[FixObjects::MEAN_SQUARE_RADIUS] / (D * D) - 1.0;  // a disc has the least of all shapes of its area
-    if (excess > std::max(1e-6, other.value)) other = {excess, atom->molecule[i]};
+    if (excess > 1e-6) other.meet(excess, atom->molecule[i]);
   }
-  MPI_Allreduce(MPI_IN_PLACE, &other, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, &other, 1);
   if (other.value > 0.0)
-    error->fix_error(FLERR, this, ("the gap is that between discs, but object (molecule) " + std::to_string(other.object) +
+    error->fix_error(FLERR, this, ("the gap is that between discs, but " + name_of(other.object) +
                                    " was made with another shape: use a group of discs").c_str());
 }
 

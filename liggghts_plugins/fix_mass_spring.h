@@ -10,6 +10,7 @@
 #include "objects/spring_forces.h"
 #include "objects/spring_law.h"
 #include "options.h"
+#include "worst_object.h"
 
 namespace LAMMPS_NS {
 
@@ -65,9 +66,8 @@ class FixMassSpring : public Fix, public swellflow::KnowsFigures {
   std::vector<double> velocities() const;
 
   bool moves_explicitly(const swellflow::ObjectPoints &object) const;
-  struct StepLimit { double step_over_limit = 0.0; int object = 0; };  // laid out as MPI_DOUBLE_INT
-  StepLimit step_over_limit(double floor) const;
-  swellflow::Figure figure_of(const StepLimit &limit) const;
+  WorstObject step_over_limit(double floor) const;
+  swellflow::Figure figure_of(const WorstObject &limit) const;
   void judge_step() const;
 
   swellflow::SpringLaw law_;

@@ -80,16 +80,11 @@ double FixMassSpring::compute_scalar() { return totals().energy; }
 
 double FixMassSpring::compute_vector(int n)
 {
-  if (n == 3) return objects_->current_everywhere() ? step_over_limit(0.0).step_over_limit : 0.0;
+  if (n == 3) return objects_->current_everywhere() ? step_over_limit(0.0).value : 0.0;
   const Totals &now = totals();
   const double values[] = {now.energy, now.largest_strain, now.dissipated_power};
   return values[n];
 }
-
-/* ----------------------------------------------------------------------
-   The largest step over the limit of an object as it is, if above `floor`.
-   Only objects that are above all before are looked at closely. Collective.
-------------------------------------------------------------------------- */
 
 bool FixMassSpring::moves_explicitly(const ObjectPoints &object) const
 {
@@ -111,9 +106,14 @@ double FixMassSpring::breathing_frequency(const ObjectPoints &object) const
   return std::sqrt(stiffness / inertia);
 }
 
-FixMassSpring::StepLimit FixMassSpring::step_over_limit(double floor) const
+/* ----------------------------------------------------------------------
+   The largest step over the limit of an object as it is, if above `floor`.
+   Only objects that are above all before are looked at closely. Collective.
+------------------------------------------------------------------------- */
+
+WorstObject FixMassSpring::step_over_limit(double floor) const
 {
-  StepLimit largest{floor, 0};
+  WorstObject largest{floor, 0};
   std::vector<Vector2> x;
   std::vector<double> mass;
   for (const ObjectPoints &object : objects_->objects()) {
@@ -125,31 +125,31 @@ FixMassSpring::StepLimit FixMassSpring::step_over_limit(double floor) const
       mass.push_back(atom->rmass[i]);
     });
     const swellflow::SpringSet &springs = springs_of(object);
-    if (bound_of_step_over_limit(x, mass, springs, update->dt) <= largest.step_over_limit) continue;
-    if (largest.step_over_limit > 0.0 && step_is_below(x, mass, springs, update->dt, largest.step_over_limit)) continue;
+    if (bound_of_step_over_limit(x, mass, springs, update->dt) <= largest.value) continue;
+    if (largest.value > 0.0 && step_is_below(x, mass, springs, update->dt, largest.value)) continue;
     largest = {swellflow::step_over_limit(x, mass, springs, update->dt), atom->molecule[object.hub]};
   }
-  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, &largest, 1);
   return largest;
 }
 
 void FixMassSpring::add_limits(std::vector<swellflow::Figure> &figures)
 {
   if (!objects_ || !objects_->current_everywhere()) return;
-  const StepLimit largest = step_over_limit(0.0);
+  const WorstObject largest = step_over_limit(0.0);
   if (largest.object > 0) figures.push_back(figure_of(largest));
 }
 
-swellflow::Figure FixMassSpring::figure_of(const StepLimit &limit) const
+swellflow::Figure FixMassSpring::figure_of(const WorstObject &limit) const
 {
-  return {.name = "time step over the longest with which springs are stable", .value = limit.step_over_limit, .watch = 0.95, .poor = 1.0,
-          .place = "object (molecule) " + std::to_string(limit.object) + " and fix " + id,
-          .remedy = "shorten 'timestep' to " + swellflow::rounded(update->dt / limit.step_over_limit) + ", or move the objects with 'nve/cds implicit' or 'rigid/cds'"};
+  return {.name = "time step over the longest with which springs are stable", .value = limit.value, .watch = 0.95, .poor = 1.0,
+          .place = name_of(limit.object) + " and fix " + id,
+          .remedy = "shorten 'timestep' to " + swellflow::rounded(update->dt / limit.value) + ", or move the objects with 'nve/cds implicit' or 'rigid/cds'"};
 }
 
 /// In the run: only what is beyond the limit is looked at closely.
 void FixMassSpring::judge_step() const
 {
-  const StepLimit largest = step_over_limit(1.0);
+  const WorstObject largest = step_over_limit(1.0);
   if (largest.object > 0) judge(lmp, figure_of(largest));
 }

@@ -10,6 +10,7 @@
 #include "fix.h"
 #include "fluid_partner.h"
 #include "step_clock.h"
+#include "worst_object.h"
 
 namespace LAMMPS_NS {
 
@@ -125,9 +126,8 @@ class FixObjects : public Fix {
   bool overlap_by_design(int i, int j) const;
   void require_exclusions();
 
-  struct Largest { double value; int object; };  // laid out as MPI_DOUBLE_INT
   enum Measure { ACROSS_X, ACROSS_Y, REACH, N_MEASURES };
-  using Extents = std::array<Largest, N_MEASURES>;
+  using Extents = std::array<WorstObject, N_MEASURES>;
   struct Part;
   static void include(Extents &largest, const Extents &other);
   static void merge(Part &whole, const Part &part);

@@ -80,10 +80,7 @@ void FixObjects::merge(Part &whole, const Part &part)
 
 void FixObjects::include(Extents &largest, const Extents &other)
 {
-  for (int k = 0; k < N_MEASURES; k++) {
-    const bool first_of_equals = other[k].value == largest[k].value && other[k].object < largest[k].object;
-    if (other[k].value > largest[k].value || first_of_equals) largest[k] = other[k];
-  }
+  for (int k = 0; k < N_MEASURES; k++) largest[k].meet(other[k].value, other[k].object);
 }
 
 /* ----------------------------------------------------------------------
@@ -158,19 +155,19 @@ double FixObjects::widest_allowed(int d) const
 
 void FixObjects::fail_not_finite(int object)
 {
-  end_run(lmp, *this, "points must have finite positions and velocities, but object (molecule) " + std::to_string(object) + " has one that is infinite or not a number at step " +
+  end_run(lmp, *this, "points must have finite positions and velocities, but " + name_of(object) + " has one that is infinite or not a number at step " +
                         std::to_string(update->ntimestep) + ": use a shorter time step or softer springs");
 }
 
 void FixObjects::require_sane(Extents &largest)
 {
-  MPI_Allreduce(MPI_IN_PLACE, largest.data(), N_MEASURES, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, largest);
   if (std::isinf(largest[REACH].value)) fail_not_finite(largest[REACH].object);
   for (int d = 0; d < 2; d++) {
-    const Largest &across = largest[d == 0 ? ACROSS_X : ACROSS_Y];
+    const WorstObject &across = largest[d == 0 ? ACROSS_X : ACROSS_Y];
     if (across.value < widest_allowed(d)) continue;
     const std::string message = std::string("an object must be smaller than ") + (domain->periodicity[d] ? "half a periodic box" : "the box") +
-                                ", but object (molecule) " + std::to_string(across.object) + " is " + swellflow::rounded(across.value) +
+                                ", but " + name_of(across.object) + " is " + swellflow::rounded(across.value) +
                                 " wide in " + "xy"[d] + " in a box of " + swellflow::rounded(domain->prd[d]) + " at step " +
                                 std::to_string(update->ntimestep) + ": use a shorter time step or softer springs, or make the box larger";
     end_run(lmp, *this, message);

@@ -90,6 +90,7 @@ class FixSwell : public Fix, public swellflow::KnowsFigures {
   // fix_swell_limits.cpp
   double fastest_growth(const double *point, double span) const;
   bool is_rigid(const swellflow::ObjectPoints &object) const;
+  double smallest_sphere(const swellflow::ObjectPoints &object) const;
   double growth_beyond_springs(const swellflow::ObjectPoints &object) const;
   double inner_diameter_at_end(const swellflow::ObjectPoints &object) const;
 

@@ -15,6 +15,7 @@
 #include "objects/random_factor.h"
 #include "options.h"
 #include "update.h"
+#include "worst_object.h"
 
 using namespace LAMMPS_NS;
 using swellflow::Purpose;
@@ -24,10 +25,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double worth_a_warning = 0.01;  // jump of the natural size, relative
-
-struct Largest { double value; int object; };  // laid out as MPI_DOUBLE_INT
-
-std::string name_of(int object) { return "object (molecule) " + std::to_string(object); }
 
 }  // namespace
 
@@ -66,7 +63,7 @@ void FixSwell::forget_starts()
 
 void FixSwell::start_law()
 {
-  Largest jump{0.0, 0};
+  WorstObject jump;
   for (int i = 0; i < atom->nlocal; i++) {
     double *point = objects_->points()[i];
     if (!is_ours(i) || point[FixObjects::START_DIAMETER] > 0.0) continue;
@@ -77,10 +74,9 @@ void FixSwell::start_law()
     point[FixObjects::RATE_FACTOR] = swellflow::lognormal_factor(Purpose::swelling_rate, script_.rate_scatter, script_.seed, object);
     point[FixObjects::SIZE_FACTOR] = swellflow::lognormal_factor(Purpose::swelling_size, script_.size_scatter, script_.seed, object);
     if (!script_.law) continue;
-    const double first = std::abs(scattered(point, script_.law->diameter(start, 0.0)) / start - 1.0);
-    if (first > jump.value) jump = {first, object};
+    jump.meet(std::abs(scattered(point, script_.law->diameter(start, 0.0)) / start - 1.0), object);
   }
-  MPI_Allreduce(MPI_IN_PLACE, &jump, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, &jump, 1);
   if (jump.value > worth_a_warning && comm->me == 0)
     error->warning(FLERR, (std::string("fix ") + id + " swell: the law does not begin at the present size: the natural diameter of " + name_of(jump.object) +
                            " jumps by " + swellflow::rounded(100.0 * jump.value) + " %").c_str());
@@ -153,7 +149,7 @@ void FixSwell::require_sizes()
 {
   const double end = clock_.time(update->laststep);
   struct { double time = infinity, diameter = infinity; } bad;
-  Largest object{-infinity, 0};  // the first to fail
+  WorstObject object{-infinity, 0};  // the first to fail
   for (int i = 0; i < atom->nlocal; i++) {
     const double *point = objects_->points()[i];
     if (!is_ours(i) || point[FixObjects::INDEX] >= 0.0) continue;
@@ -165,7 +161,7 @@ void FixSwell::require_sizes()
     bad = {when, std::isfinite(smallest.diameter) ? scattered(point, smallest.diameter) : infinity};
   }
   const int own_object = object.object;
-  MPI_Allreduce(MPI_IN_PLACE, &object, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, &object, 1);
   if (object.object == 0) return;
   if (own_object != object.object) bad = {infinity, infinity};
   MPI_Allreduce(MPI_IN_PLACE, &bad, 2, MPI_DOUBLE, MPI_MIN, world);
@@ -179,16 +175,14 @@ void FixSwell::require_sizes()
 
 void FixSwell::find_least_variable()
 {
-  Largest least{-1.0, 0};
+  WorstObject least{-1.0, 0};
   for (int i = 0; i < atom->nlocal; i++) {
     if (!is_ours(i)) continue;
     const double *point = objects_->points()[i];
     const double unit = script_.size_is_ratio ? point[FixObjects::DIAMETER] : 1.0;
-    const double bound = std::max(0.0, law_diameter_for(point, smallest_allowed(point)) / unit);
-    if (bound < least.value || (bound == least.value && atom->molecule[i] > least.object)) continue;
-    least = {bound, atom->molecule[i]};
+    least.meet(std::max(0.0, law_diameter_for(point, smallest_allowed(point)) / unit), atom->molecule[i]);
   }
-  MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, &least, 1);
   least_variable_ = std::max(0.0, least.value);
   least_object_ = least.object;
 }

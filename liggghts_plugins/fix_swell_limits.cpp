@@ -16,17 +16,12 @@
 #include "object_geometry.h"
 #include "options.h"
 #include "update.h"
+#include "worst_object.h"
 
 using namespace LAMMPS_NS;
 using swellflow::Figure;
 using swellflow::ObjectPoints;
 using swellflow::SwellingPace;
-
-namespace {
-
-struct Largest { double value; int object; };  // laid out as MPI_DOUBLE_INT
-
-}  // namespace
 
 /* ----------------------------------------------------------------------
    of the ratio, over `span` DEM steps, at moments that are spread over the
@@ -52,6 +47,17 @@ bool FixSwell::is_rigid(const ObjectPoints &object) const
   return false;
 }
 
+/// Its radius; infinite when the object has none.
+double FixSwell::smallest_sphere(const ObjectPoints &object) const
+{
+  double smallest = HUGE_VAL;
+  for_each_point(object, [&](int i) {
+    const double *point = objects_->points()[i];
+    if (point[FixObjects::HAS_CDS] > 0.0) smallest = std::min(smallest, point[FixObjects::LAMBDA] * point[FixObjects::CDS_RADIUS]);
+  });
+  return smallest;
+}
+
 /* ----------------------------------------------------------------------
    A size that springs follow with the frequency omega overshoots, when it
    sets out at once, by what it grows in 1 / omega.
@@ -59,12 +65,9 @@ bool FixSwell::is_rigid(const ObjectPoints &object) const
 
 double FixSwell::growth_beyond_springs(const ObjectPoints &object) const
 {
-  if (is_rigid(object)) return 0.0;
   double frequency = 0.0;
-  for (int k = 0; k < modify->nfix; k++) {
-    const Fix *fix = modify->fix[k];
-    if (const auto *springs = dynamic_cast<const FixMassSpring *>(fix)) frequency = std::max(frequency, springs->breathing_frequency(object));
-  }
+  for (int k = 0; k < modify->nfix; k++)
+    if (const auto *springs = dynamic_cast<const FixMassSpring *>(modify->fix[k])) frequency = std::max(frequency, springs->breathing_frequency(object));
   const double *point = objects_->points()[object.hub];
   return frequency > 0.0 ? fastest_growth(point, 1.0 / (frequency * update->dt)) / point[FixObjects::LAMBDA] : 0.0;
 }
@@ -86,35 +89,30 @@ void FixSwell::add_limits(std::vector<Figure> &figures)
 {
   if (!script_.law) return;
   enum { CELLS, SPHERES, BOX, SPRINGS, RIGID, N_LIMITS };
-  std::array<Largest, N_LIMITS> worst;
-  worst.fill({0.0, 0});
+  std::array<WorstObject, N_LIMITS> worst;
   const FixFluidIb *fluid = find_fluid(lmp);
   const double box = std::min(domain->xprd, domain->yprd), end = clock_.time(update->laststep);
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *point = objects_->points()[i];
-    const bool is_hub = point[FixObjects::INDEX] < 0.0, meets_others = force->pair && point[FixObjects::HAS_CDS] > 0.0;
-    if (!is_ours(i) || !(is_hub || meets_others)) continue;
-    const double growth = 0.5 * fastest_growth(point, 1.0) * point[FixObjects::DIAMETER], radius = point[FixObjects::LAMBDA] * point[FixObjects::CDS_RADIUS];
-    const double values[] = {fluid ? growth * fluid->dem_steps_per_step() / fluid->cell() : 0.0, meets_others ? growth / radius : 0.0,
-                             script_.has_own_clocks() ? 0.0 : natural(point, end).lambda * point[FixObjects::DIAMETER] / box};
-    for (int k = 0; k < SPRINGS; k++)
-      if (values[k] > worst[k].value) worst[k] = {values[k], atom->molecule[i]};
-  }
   for (const ObjectPoints &object : objects_->objects()) {
     if (!objects_->owns(object) || !is_ours(object.hub)) continue;
-    const double values[] = {fluid ? growth_beyond_springs(object) : 0.0, is_rigid(object) && !script_.has_own_clocks() ? inner_diameter_at_end(object) / box : 0.0};
-    for (int k = SPRINGS; k < N_LIMITS; k++)
-      if (values[k - SPRINGS] > worst[k].value) worst[k] = {values[k - SPRINGS], atom->molecule[object.hub]};
+    const double *point = objects_->points()[object.hub], growth = 0.5 * fastest_growth(point, 1.0) * point[FixObjects::DIAMETER];
+    const bool rigid = is_rigid(object), ends_known = !script_.has_own_clocks();
+    std::array<double, N_LIMITS> values{};
+    if (fluid) values[CELLS] = growth * fluid->dem_steps_per_step() / fluid->cell();
+    if (force->pair) values[SPHERES] = growth / smallest_sphere(object);
+    if (ends_known) values[BOX] = natural(point, end).lambda * point[FixObjects::DIAMETER] / box;
+    if (fluid && !rigid) values[SPRINGS] = growth_beyond_springs(object);
+    if (rigid && ends_known) values[RIGID] = inner_diameter_at_end(object) / box;
+    for (int k = 0; k < N_LIMITS; k++) worst[k].meet(values[k], atom->molecule[object.hub]);
   }
-  MPI_Allreduce(MPI_IN_PLACE, worst.data(), N_LIMITS, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, worst);
   const auto add = [&](int k, const char *name, double watch, double poor, const char *remedy) {
     if (worst[k].object > 0)
       figures.push_back({.name = name, .value = worst[k].value, .watch = watch, .poor = poor,
-                         .place = "object (molecule) " + std::to_string(worst[k].object) + " and fix " + id, .remedy = remedy});
+                         .place = name_of(worst[k].object) + " and fix " + id, .remedy = remedy});
   };
   add(CELLS, "growth of an outline in a fluid step in cells", 0.5, Figure::never, "let it swell slower, lower 'clock', or use a shorter 'timestep'");
   add(SPHERES, "growth of an outline in a time step over the radius of its spheres", 0.1, 1.0, "let it swell slower, lower 'clock', or use a shorter 'timestep'");
-  add(SPRINGS, "growth over the size, while springs pull an outline after it,", 0.05, 0.5, "let it swell slower, lower 'clock', or use stiffer springs or lighter objects");
+  add(SPRINGS, "growth over the size, while springs pull an outline after it,", 0.05, 0.25, "let it swell slower, lower 'clock', or use stiffer springs or lighter objects");
   add(RIGID, "diameter of a rigid object at the end of the run over the width of the box", 1.0, 1.0, "lower the last size, make the box larger, or use springs");
   add(BOX, "natural diameter at the end of the run over the width of the box", 1.0, 2.0, "lower the last size, or make the box larger");
 }

@@ -84,7 +84,7 @@ StateLook::Findings StateLook::look(double step) const
     look_at_objects(*objects, worst);
     look_at_speeds(*objects, step, worst);
   }
-  MPI_Allreduce(MPI_IN_PLACE, worst.data(), N_KINDS, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  agree_on_worst(world, worst);
   return worst;
 }
 
@@ -96,8 +96,8 @@ void StateLook::look_at_objects(const FixObjects &objects, Findings &worst) cons
     if (!objects.owns(object)) continue;
     const double *point = points[object.hub], lambda = point[FixObjects::LAMBDA];
     const double inverted = -0.5 * twice_area(atom->x, object) / (lambda * lambda * point[FixObjects::NATURAL_AREA]), crushed = inverted * std::max(lambda * lambda, 1.0);
-    if (inverted > worst[INVERTED].value) worst[INVERTED] = {inverted, atom->molecule[object.hub]};
-    if (crushed > worst[CRUSHED].value) worst[CRUSHED] = {crushed, atom->molecule[object.hub]};
+    worst[INVERTED].meet(inverted, atom->molecule[object.hub]);
+    worst[CRUSHED].meet(crushed, atom->molecule[object.hub]);
   }
 }
 
@@ -134,9 +134,9 @@ void AreaBalance::begin()
   most_ = error_ = 0.0;
 }
 
-void AreaBalance::add(const ObjectPoints &object, Sum sum, Sums &sums) const
+void AreaBalance::add(const FixObjects &objects, const ObjectPoints &object, Sum sum, Sums &sums) const
 {
-  const double *point = find_objects(lmp)->points()[object.hub], lambda = point[FixObjects::LAMBDA];
+  const double *point = objects.points()[object.hub], lambda = point[FixObjects::LAMBDA];
   sums[sum] += swellflow::polygon_area(outline_of(lmp, object)).area;
   if (sum == DRINK) sums[DRINK_NATURAL] += lambda * lambda * point[FixObjects::NATURAL_AREA];
 }
@@ -151,7 +151,7 @@ void AreaBalance::look()
   Sums sums{};
   for (const ObjectPoints &object : objects->objects()) {
     const int mask = atom->mask[object.hub];
-    if (objects->owns(object) && !(mask & inflating)) add(object, mask & drinking ? DRINK : KEEP, sums);
+    if (objects->owns(object) && !(mask & inflating)) add(*objects, object, mask & drinking ? DRINK : KEEP, sums);
   }
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), N_SUMS, MPI_DOUBLE, MPI_SUM, world);
   if (!knows()) first_ = sums;

@@ -5,6 +5,7 @@
 
 #include "fluid_partner.h"
 #include "pointers.h"
+#include "worst_object.h"
 
 namespace LAMMPS_NS {
 
@@ -14,7 +15,6 @@ class StateLook : protected Pointers {
  public:
   explicit StateLook(class LAMMPS *lmp) : Pointers(lmp) {}
 
-  struct Worst { double value; int object; };  // laid out as MPI_DOUBLE_INT
   enum Kind {
     NOT_FINITE,  // 1 where an atom has a position, velocity or force that is infinite or not a number; the object is 0 for an atom that is no point
     INVERTED,    // area within an object's ring over its natural area, with the sign changed: >= 0 when it is turned inside out
@@ -22,7 +22,7 @@ class StateLook : protected Pointers {
     RUNAWAY,     // way of a point in `step` over the radius of its object, as it is or as it was made
     N_KINDS
   };
-  using Findings = std::array<Worst, N_KINDS>;
+  using Findings = std::array<WorstObject, N_KINDS>;
   /// When a run begins: how small objects are. Collective.
   void begin();
   /// `step` [time]: what passes between two times at which a point can meet what is around it. Collective.
@@ -50,7 +50,7 @@ class AreaBalance : protected Pointers {
  private:
   enum Sum { KEEP, DRINK, DRINK_NATURAL, N_SUMS };
   using Sums = std::array<double, N_SUMS>;
-  void add(const swellflow::ObjectPoints &object, Sum sum, Sums &sums) const;
+  void add(const FixObjects &objects, const swellflow::ObjectPoints &object, Sum sum, Sums &sums) const;
 
   Sums first_{};
   double most_ = 0.0;  // that those which drink have had

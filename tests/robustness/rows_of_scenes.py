@@ -103,7 +103,7 @@ GUARD_ROWS = [
     ("an object that grows past what it touches", dry(swell="fix grow all swell linear rate 1e3 max 0.6"),
      ["guard", "growth of an outline in a time step over the radius of its spheres must be at most 1", "fix grow", "swell slower", "guard warn"]),
     ("an object that grows before its springs can follow", with_word("swell", "6e-4 max 0.25", "20 max 0.5"),
-     ["guard", "while springs pull an outline after it, must be at most 0.5", "object (molecule) ", "fix grow", "stiffer springs", "guard warn"]),
+     ["guard", "while springs pull an outline after it, must be at most 0.25", "object (molecule) ", "fix grow", "stiffer springs", "guard warn"]),
     ("a rigid object that is to be wider than the box", dry(move="fix move all rigid/cds\nfix flat all enforce2d", swell="fix grow all swell linear rate 9 max 1.1", run="run 110"),
      ["guard", "diameter of a rigid object at the end of the run over the width of the box must be at most 1, but is 1.1", "object (molecule) ", "fix grow", "guard warn"]),
     ("a fluid too viscous for the step of free objects", with_word("fluid", "viscosity 1e-2", "viscosity 100"),

@@ -120,6 +120,10 @@ class Budget(ProgramTest):
                 self.assertIn("Worst is the " + line, result.output)
                 self.assertRegex(result.output, f"Worst is .*{remedy}")
 
+    def test_slip_is_measured_against_outlines_that_grow_in_a_fluid_at_rest(self):
+        _, lines = self.budget("at_rest", fluid=LINES["fluid"].replace("velocity 0.1 0", "velocity 0 0"))
+        self.assertLess(lines["slip at outlines / speed"][0], 0.05, lines)
+
     def test_only_what_a_scene_has_and_only_with_the_post_part(self):
         result, lines = self.budget("dry", fluid="", swell="", thermo="thermo 5", run="run 5\nrun 5 pre no post no\nrun 5 pre no")
         self.assertEqual(set(lines), {"time step over the longest with which springs are stable", "time step over the longest with which contacts are stable"})
