@@ -45,11 +45,11 @@ void FixFluidIb::add_cfl_limit(std::vector<Figure> &figures)
   figures.push_back(cfl_figure(speed * dem_steps * update->dt / cell(), where));
 }
 
-/// Beyond the poor one a flow past objects passes through them, and one without objects is right only where it does not change.
+/// From the first on flows past objects may blow up; beyond the poor one they have, and those without objects are right only where they do not change.
 Figure FixFluidIb::cfl_figure(double value, const std::string &where) const
 {
   const double poor = find_objects(lmp) ? 10.0 : 50.0;
-  return {.name = "CFL number", .value = value, .watch = 1.0, .poor = poor, .place = where + ", fix " + id,
+  return {.name = "CFL number", .value = value, .watch = 0.7, .poor = poor, .place = where + ", fix " + id,
           .remedy = "use a shorter 'timestep', a smaller 'every', 'cfl 0.5', or fewer 'cells'"};
 }
 
