@@ -6,6 +6,7 @@ import math
 import numpy as np
 
 import caselib
+import frames
 from histories import History
 
 SETTLED = (0.1, 0.15)  # shares of the run between which the bed has packed under the flow and little has swollen
@@ -24,6 +25,16 @@ def chord_area(radius, height):
 def within(times, begin, end):
     share = times / times[-1]
     return (share > begin) & (share <= end + 1e-9)
+
+
+def inside(polygon, points):
+    """Which of the points lie in a polygon: those from which a ray crosses its sides an odd number of times."""
+    a, b = polygon, np.roll(polygon, -1, axis=0)
+    x, y = points[:, :1], points[:, 1:]
+    spans = (a[:, 1] > y) != (b[:, 1] > y)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        crossing = a[:, 0] + (y - a[:, 1]) * (b[:, 0] - a[:, 0]) / (b[:, 1] - a[:, 1])
+    return (spans & (x < crossing)).sum(axis=1) % 2 == 1
 
 
 class Bed:
@@ -48,6 +59,17 @@ class Bed:
         """Beads that are not between the grids at the end."""
         y = self.value("centroid_y [m]")[-1]
         return int(((y < self.grids[0]) | (y > self.grids[1])).sum())
+
+    def entangled(self):
+        """Pairs of outlines in the last frame of which one has points within the other: contacts that were pressed through."""
+        polygons, _ = frames.outlines(frames.Series(self.run.folder / "post", "outline").nearest(self.times[-1])[1])
+        middles = np.array([polygon.mean(axis=0) for polygon in polygons])
+        radii = np.array([np.hypot(*(polygon - middle).T).max() for polygon, middle in zip(polygons, middles)])
+        pairs = set()
+        for k, polygon in enumerate(polygons):
+            near = np.flatnonzero(np.hypot(*(middles - middles[k]).T) < radii + radii[k])
+            pairs |= {frozenset((k, j)) for j in near if j != k and inside(polygon, polygons[j]).any()}
+        return len(pairs)
 
     def value(self, name):
         return self.columns[name].reshape(-1, self.beads)

@@ -7,7 +7,7 @@ from case_test import CaseTest
 
 
 class SwellingBed(CaseTest):
-    TIMEOUT = 400
+    TIMEOUT = 1400  # of a sanitized run
 
     def test_it_chokes(self):
         self.passes(r"flow at the end over that of the settled bed = 0\.\d+", "swelling_bed", "--np", "2", beads=100, across=10)
