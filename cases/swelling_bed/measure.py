@@ -9,7 +9,7 @@ import caselib
 import frames
 from histories import History
 
-SETTLED = (0.1, 0.15)  # shares of the run between which the bed has packed under the flow and little has swollen
+SETTLED = (0.15, 0.2)  # shares of the run between which the bed has packed under the flow and little has swollen
 END = (0.9, 1.0)
 LAYERS = ("lower", "middle", "upper")  # thirds of the beads, by the height at which they were made
 LAYER_VALUES = {"swelling_ratio": "natural swelling ratio", "contact_pressure [Pa]": "contact pressure [Pa]", "aspect_ratio": "aspect ratio",
