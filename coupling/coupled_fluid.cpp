@@ -98,7 +98,7 @@ template <int Dim> void CoupledFluid<Dim>::complete_law(const std::vector<Object
 {
   Stopwatch watch(seconds_in_coupling_);
   for (std::size_t n = 0; n < objects.size(); ++n)
-    inner_fluid_.return_inertia(objects[n], described_[n].motion, described_[n].filled, drive.gravity, dt_, points_);
+    inner_fluid_.return_inertia(objects[n], described_[n].motion, described_[n].filled, drive.gravity, dt_, dt_before_, points_);
 }
 
 template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectPoints> &objects)
@@ -142,11 +142,7 @@ template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<Ob
 {
   Stopwatch watch(seconds_in_coupling_);
   accounts_.clear();
-  leaving_x_.clear();
-  leaving_spacing_.clear();
-  leaving_carried_.clear();
-  offset_.clear();
-  to_.clear();
+  leaving_.resize(0);
   marker_gap_ = 0.0;
   owed_balance_ = std::exchange(given_late_, VecD{});
   for (int i = 0; i < points_.n_own(); ++i) {
@@ -161,9 +157,9 @@ template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<Ob
 template <int Dim> void CoupledFluid<Dim>::arrive()
 {
   Stopwatch watch(seconds_in_coupling_);
-  to_slabs_.deliver(leaving_x_, to_, x_);
-  to_slabs_.deliver_again(leaving_spacing_, spacing_);
-  to_slabs_.deliver_again(leaving_carried_, carried_);
+  to_slabs_.deliver(leaving_.x, leaving_.to, x_);
+  to_slabs_.deliver_again(leaving_.spacing, spacing_);
+  to_slabs_.deliver_again(leaving_.carried, carried_);
   markers_->place(x_);
 }
 
@@ -194,7 +190,7 @@ template <int Dim> void CoupledFluid<Dim>::ask_fluid()
   }
 }
 
-template <int Dim> void CoupledFluid<Dim>::spread(const std::vector<VecD> &impulses)
+template <int Dim> void CoupledFluid<Dim>::spread(std::span<const VecD> impulses)
 {
   Stopwatch watch(seconds_in_coupling_);
   flow_.forcing().clear();
@@ -213,8 +209,9 @@ template <int Dim> void CoupledFluid<Dim>::hand_out()
     const Account &account = accounts_[n];
     double *law = points_.law[account.point], *home = points_.home[account.point];
     for (int m = account.first; m < account.first + account.count; ++m) {
-      law[FluidLaw::KAPPA] += answers_here_[m].kappa;
-      for (int d = 0; d < Dim; ++d) law[FluidLaw::A_X + d] += answers_here_[m].kappa * (answers_here_[m].u[d] - offset_[m][d]);
+      const auto &[u, kappa] = answers_here_[m];
+      law[FluidLaw::KAPPA] += kappa;
+      for (int d = 0; d < Dim; ++d) law[FluidLaw::A_X + d] += kappa * (u[d] - leaving_.offset[m][d]);
     }
     for (int d = 0; d < Dim; ++d) law[FluidLaw::A_X + d] -= account.felt[d];
     home[FluidHome::HAS_MARKERS] = 1.0;
@@ -248,35 +245,47 @@ template <int Dim> void CoupledFluid<Dim>::collect(const std::vector<ObjectPoint
       to_.push_back(static_cast<int>(home[FluidHome::HOME_RANK]));
     }
   to_homes_.deliver(reports_, to_, arrived_reports_);
-  leaving_change_.assign(leaving_x_.size(), VecD{});
+  // Objects may have been deleted.
+  if (arrived_reports_.size() == accounts_.size()) leaving_change_.resize(leaving_.size());
+  else leaving_change_.assign(leaving_.size(), VecD{});
   new_force_.clear();
-  for (const Report &report : arrived_reports_) settle(report);
+  for (const Report &report : arrived_reports_) new_force_.push_back(settle(report));
   to_homes_.reply(new_force_, new_force_here_);
   for (std::size_t n = 0; n < reporting_.size(); ++n)
     for (int d = 0; d < Dim; ++d) points_.carried[reporting_[n]][FluidCarried::FORCE_X + d] = new_force_here_[n][d];
   to_slabs_.deliver_again(leaving_change_, change_);
 }
 
-/// From the impulse of the fluid around, I = dt [ sum of kappa (u~ - c) - (sum of kappa) V - felt ] the point's mean velocity V, and from it each marker's part.
-template <int Dim> void CoupledFluid<Dim>::settle(const Report &report)
+/// From the impulse of the fluid around, I = dt [ sum of kappa (u~ - c) - (sum of kappa) V - felt ] the point's mean velocity V, and from it each marker's part. The new F_c.
+template <int Dim> typename CoupledFluid<Dim>::VecD CoupledFluid<Dim>::settle(const Report &report)
 {
   const Account &account = accounts_[report.slot];
-  VecD force = account.carried;
+  const int end = account.first + account.count;
+  double sum_kappa = 0.0;
+  VecD V, change{}, force;
+  for (int d = 0; d < Dim; ++d) V[d] = -report.impulse[d] / dt_ - account.felt[d];
+  for (int m = account.first; m < end; ++m) {
+    const auto &[u, kappa] = answers_here_[m];
+    sum_kappa += kappa;
+    for (int d = 0; d < Dim; ++d) V[d] += kappa * (u[d] - leaving_.offset[m][d]);
+  }
+  for (double &v : V) v /= sum_kappa;
+  for (int m = account.first; m < end; ++m) {
+    const auto &[u, kappa] = answers_here_[m];
+    const bool carries = m < account.first + account.n_carrying;
+    for (int d = 0; d < Dim; ++d) {
+      const double impulse = kappa * dt_ * (V[d] + leaving_.offset[m][d] - u[d]);
+      leaving_change_[m][d] = impulse;
+      if (carries) change[d] += impulse;
+    }
+  }
   double square = 0.0;
   for (int d = 0; d < Dim; ++d) {
-    double kappa = 0.0, drag = -report.impulse[d] / dt_ - account.felt[d];
-    for (int m = account.first; m < account.first + account.count; ++m) {
-      kappa += answers_here_[m].kappa;
-      drag += answers_here_[m].kappa * (answers_here_[m].u[d] - offset_[m][d]);
-    }
-    const double V = drag / kappa;
-    for (int m = account.first; m < account.first + account.count; ++m)
-      leaving_change_[m][d] = answers_here_[m].kappa * dt_ * (V + offset_[m][d] - answers_here_[m].u[d]);
-    for (int m = account.first; m < account.first + account.n_carrying; ++m) force[d] += leaving_change_[m][d] / dt_;
+    force[d] = account.carried[d] + change[d] / dt_;
     square += force[d] * force[d];
   }
   exchanged_ += std::sqrt(square) * dt_;
-  new_force_.push_back(force);
+  return force;
 }
 
 template class CoupledFluid<2>;

@@ -57,8 +57,8 @@ public:
   double last_step() const { return last_dt_; }
   Markers<Dim> &markers() { return *markers_; }
   /// Of the markers on this rank's slab, when the step began.
-  const std::vector<Vec<Dim>> &marker_places() const { return x_; }
-  const std::vector<double> &marker_spacings() const { return spacing_; }
+  std::span<const Vec<Dim>> marker_places() const { return x_; }
+  std::span<const double> marker_spacings() const { return spacing_; }
   /// From own points to their markers on outlines, in the order of the places. Collective.
   void tell_markers(const std::vector<double> &by_point, std::vector<double> &by_marker);
   /// And back: by own point. Collective.
@@ -85,6 +85,20 @@ private:
     ObjectMotion motion;
     bool filled;
   };
+  /// Markers that set out for their slabs, each property in a row of its own; what is sent is not changed before the next step.
+  struct Leaving {
+    std::vector<VecD> x, carried;  ///< places; the impulses that the markers carry
+    std::vector<VecD> offset;      ///< c: by how much the velocity differs from the point's
+    std::vector<double> spacing;
+    std::vector<int> to;
+    std::size_t size() const { return x.size(); }
+    void resize(std::size_t n)
+    {
+      for (auto *rows : {&x, &carried, &offset}) rows->resize(n);
+      spacing.resize(n);
+      to.resize(n);
+    }
+  };
 
   void keep(Checkpoint &file);
   void require_same_box(Checkpoint &file);
@@ -93,9 +107,10 @@ private:
   bool some_markers() const;
   void describe_markers(const std::vector<ObjectPoints> &objects, const Triple &gravity);
   void describe_object(const ObjectPoints &object, const Triple &gravity);
+  int markers_of(const ObjectPoints &object, int k) const;
   void open_accounts(const ObjectPoints &object, double inward_rate);
-  void open_account(const ObjectPoints &object, int k, int own, double inward_rate);
-  template <class Marker> void send_marker(const Marker &marker, double spacing, const VecD &carried_impulse, int own, double inward_rate);
+  void open_account(const ObjectPoints &object, int k, int own, int first, double inward_rate);
+  template <class Marker> void send_marker(int m, const Marker &marker, double spacing, const VecD &carried_impulse, const double *v_point, double inward_rate);
   void share_carried_force(const ObjectPoints &object);
   void share_owed_impulse(const ObjectPoints &object);
   void require_finite_flow() const;
@@ -108,9 +123,9 @@ private:
   void ask_fluid();
   void hand_out();
   void collect(const std::vector<ObjectPoints> &objects);
-  void settle(const Report &report);
-  void spread(const std::vector<VecD> &impulses);
-  void force(const std::vector<VecD> &impulses);
+  VecD settle(const Report &report);
+  void spread(std::span<const VecD> impulses);
+  void force(std::span<const VecD> impulses);
   void tighten();
   void find_remaining_slip();
   void owe(const std::vector<VecD> &extra);
@@ -139,22 +154,23 @@ private:
   // On the rank that has the point when the step begins
   std::vector<Described> described_;
   std::vector<Account> accounts_;
-  std::vector<VecD> leaving_x_, leaving_carried_;  // places; the impulses that the markers carry
-  std::vector<double> leaving_spacing_;
-  std::vector<VecD> offset_, leaving_change_, felt_;
-  std::vector<int> to_;
-  std::vector<Answer> answers_here_;
+  Leaving leaving_;
+  std::vector<VecD> leaving_change_, felt_;
+  Arrivals<Answer> answers_here_;
   // On the rank that has it when the step ends, and what comes to the former
-  std::vector<Report> reports_, arrived_reports_;
-  std::vector<int> reporting_;
-  std::vector<VecD> new_force_, new_force_here_;
-  std::vector<VecD> owed_, owed_here_, extra_back_;
+  std::vector<Report> reports_;
+  Arrivals<Report> arrived_reports_;
+  std::vector<int> reporting_, to_;
+  std::vector<VecD> new_force_, owed_;
+  Arrivals<VecD> new_force_here_, owed_here_, extra_back_;
   // On the rank of the slab
+  Arrivals<VecD> x_, carried_, change_;
+  Arrivals<double> spacing_;
   std::vector<Answer> answers_;
-  std::vector<VecD> x_, u_, u_after_, carried_, change_, row_sum_, wanted_, slip_, extra_, all_extra_;
-  std::vector<double> spacing_;
+  std::vector<VecD> u_, u_after_, row_sum_, wanted_, slip_, extra_, all_extra_;
   // Sources inside objects that inflate, on the rank of the hub and on those of the slabs
-  std::vector<SourcePoint> leaving_sources_, arrived_sources_;
+  std::vector<SourcePoint> leaving_sources_;
+  Arrivals<SourcePoint> arrived_sources_;
   bool some_inflate_ = false;  ///< or once did
   // This rank's part of the last whole step: given to the fluid, received by points, owed to them before less after, the sum of these, sum of |J|; slip;
   // largest divergence

@@ -6,7 +6,7 @@
 namespace swellflow {
 
 /// Spreads and gives it to the fluid.
-template <int Dim> void CoupledFluid<Dim>::force(const std::vector<VecD> &impulses)
+template <int Dim> void CoupledFluid<Dim>::force(std::span<const VecD> impulses)
 {
   spread(impulses);
   const VecD given = given_to_fluid();

@@ -8,7 +8,7 @@
 
 namespace swellflow {
 
-using Topology = LAMMPS_NS::FixObjects::Column;
+using Topology = LAMMPS_NS::FixObjects;
 
 /// An object that begins to inflate has as much fluid inside as its outline holds.
 template <int Dim> void CoupledFluid<Dim>::note_inflating(const std::vector<ObjectPoints> &objects)
@@ -44,7 +44,7 @@ template <int Dim> void CoupledFluid<Dim>::grow_inside(const std::vector<ObjectP
   for (const ObjectPoints &object : objects) {
     const int hub = points_.own_index(object.hub);
     if (!object.inflates || hub < 0) continue;
-    const double *point = points_.object_point[hub], lambda = point[Topology::LAMBDA];
+    const double *point = points_.object_point[hub], lambda = points_.object_size[hub][Topology::LAMBDA];
     const std::vector<Vector2> outline = points_.outline(object);
     double &inside = points_.state[hub][FluidState::INNER_AREA];
     const double now = followed_area(inside, outline_shape(outline).area, lambda * lambda * point[Topology::NATURAL_AREA]);

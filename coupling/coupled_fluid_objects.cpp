@@ -10,7 +10,7 @@ namespace swellflow {
 
 namespace {
 
-using Topology = LAMMPS_NS::FixObjects::Column;
+using Topology = LAMMPS_NS::FixObjects;
 
 /// Share of what an object lacks of its natural area that it may drink in a fluid step, beyond its growth.
 constexpr double made_up_per_step = 0.01;
@@ -27,13 +27,12 @@ template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &o
   share_carried_force(object);
   share_owed_impulse(object);
   open_accounts(object, (object.absorbs ? absorption_rate(object) : -excess_growth(object)) - chord_rate(motion.spin));
-  inner_fluid_.follow(object, motion, points_, dt_before_);
 }
 
 /// So many that their natural distance is no more than the marker gap that was asked for, where the outline's points are farthest apart.
 template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &object) const
 {
-  const double *hub = points_.object_point[object.hub], natural = hub[Topology::LONGEST_SIDE] * hub[Topology::LAMBDA];
+  const double *hub = points_.object_point[object.hub], natural = hub[Topology::LONGEST_SIDE] * points_.object_size[object.hub][Topology::LAMBDA];
   const double wanted = std::ceil(natural / (options_.marker_gap * flow_.grid().h) - 1e-9);
   constexpr double most = 10000.0;
   if (!(wanted <= most))
@@ -46,13 +45,18 @@ template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &
 template <int Dim> void CoupledFluid<Dim>::share_carried_force(const ObjectPoints &object)
 {
   felt_.assign(object.n_ring + 1, VecD{});
-  for (int m = 0; m < object.n_ring * ring_.per_point(); ++m) {
-    const auto &marker = ring_.marker(m);
-    for (int d = 0; d < Dim; ++d) {
-      const double force = points_.carried[object.ring[marker.point]][FluidCarried::FORCE_X + d] / ring_.per_point();
-      felt_[marker.point][d] += marker.point_weight() * force;
-      felt_[marker.partner][d] += marker.partner_weight() * force;
-      felt_[object.n_ring][d] += marker.share * force;
+  const int per_point = ring_.per_point();
+  VecD &hub = felt_[object.n_ring];
+  for (int k = 0; k < object.n_ring; ++k) {
+    const double *carried = points_.carried[object.ring[k]] + FluidCarried::FORCE_X;
+    for (int m = k * per_point; m < (k + 1) * per_point; ++m) {
+      const auto &marker = ring_.marker(m);
+      for (int d = 0; d < Dim; ++d) {
+        const double force = carried[d] / per_point;
+        felt_[k][d] += marker.point_weight() * force;
+        felt_[marker.partner][d] += marker.partner_weight() * force;
+        hub[d] += marker.share * force;
+      }
     }
   }
 }
@@ -85,14 +89,24 @@ template <int Dim> void CoupledFluid<Dim>::share_owed_impulse(const ObjectPoints
 /// the fluid's velocity there, that would be a flow inwards, which an incompressible inside resists ever harder. To second order in spin dt.
 template <int Dim> double CoupledFluid<Dim>::chord_rate(double spin) const { return 0.5 * spin * spin * dt_; }
 
+/// Of ring point k, n_ring: of the hub.
+template <int Dim> int CoupledFluid<Dim>::markers_of(const ObjectPoints &object, int k) const
+{
+  return (k < object.n_ring ? ring_.per_point() : 0) + static_cast<int>(ring_.inner(k).size());
+}
+
 /// inward_rate: what the fluid is asked for beyond the markers' own velocity is a flow through them, inwards by this times their distance from the centroid.
 template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &object, double inward_rate)
 {
+  int next = static_cast<int>(leaving_.size()), all = next;
+  for (int k = 0; k <= object.n_ring; ++k) all += markers_of(object, k);
+  leaving_.resize(all);
   for (int k = 0; k <= object.n_ring; ++k) {
     const int own = points_.own_index(k < object.n_ring ? object.ring[k] : object.hub);
     if (own < 0) continue;
-    if (k < object.n_ring || !ring_.inner(k).empty()) {
-      open_account(object, k, own, inward_rate);
+    if (const int count = markers_of(object, k); count > 0) {
+      open_account(object, k, own, next, inward_rate);
+      next += count;
       continue;
     }
     for (int d = 0; d < Dim; ++d) {
@@ -100,42 +114,42 @@ template <int Dim> void CoupledFluid<Dim>::open_accounts(const ObjectPoints &obj
       points_.carried[own][FluidCarried::OWED_X + d] = 0.0;
     }
   }
+  leaving_.resize(next);
 }
 
-template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &object, int k, int own, double inward_rate)
+template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &object, int k, int own, int first, double inward_rate)
 {
   const int per_point = ring_.per_point();
-  Account account{own, static_cast<int>(leaving_x_.size()), 0, k < object.n_ring ? per_point : 0, {}, felt_[k]};
+  Account account{own, first, markers_of(object, k), k < object.n_ring ? per_point : 0, {}, felt_[k]};
+  const double *v = points_.v[own];
   VecD of_each;
   for (int d = 0; d < Dim; ++d) {
     account.carried[d] = points_.carried[own][FluidCarried::FORCE_X + d];
     of_each[d] = account.carried[d] * dt_ / per_point;
   }
-  for (int m = k * per_point; m < k * per_point + account.n_carrying; ++m) {
-    marker_gap_ = std::max(marker_gap_, ring_.gap(m) / flow_.grid().h);
-    send_marker(ring_.marker(m), ring_.spacing(m), of_each, own, inward_rate);
+  int m = first;
+  for (int r = k * per_point; r < k * per_point + account.n_carrying; ++r) {
+    marker_gap_ = std::max(marker_gap_, ring_.gap(r) / flow_.grid().h);
+    send_marker(m++, ring_.marker(r), ring_.spacing(r), of_each, v, inward_rate);
   }
-  for (const auto &marker : ring_.inner(k)) send_marker(marker, marker.spacing, {}, own, inward_rate);
-  account.count = static_cast<int>(leaving_x_.size()) - account.first;
+  for (const auto &marker : ring_.inner(k)) send_marker(m++, marker, marker.spacing, {}, v, inward_rate);
   accounts_.push_back(account);
 }
 
 /// Where the marker is, what it carries, and c: by how much its velocity differs from its point's.
 template <int Dim>
 template <class Marker>
-void CoupledFluid<Dim>::send_marker(const Marker &marker, double spacing, const VecD &carried_impulse, int own, double inward_rate)
+void CoupledFluid<Dim>::send_marker(int m, const Marker &marker, double spacing, const VecD &carried_impulse, const double *v_point, double inward_rate)
 {
-  VecD x = marker.x, offset;
+  VecD &x = leaving_.x[m] = marker.x;
   for (int d = 0; d < Dim; ++d) {
     // The run ends soon, with an error, when it is not.
     if (!std::isfinite(x[d])) x[d] = flow_.grid().origin[d];
-    offset[d] = marker.u[d] - points_.v[own][d] - inward_rate * (marker.x[d] - ring_.centroid()[d]);
+    leaving_.offset[m][d] = marker.u[d] - v_point[d] - inward_rate * (marker.x[d] - ring_.centroid()[d]);
   }
-  leaving_x_.push_back(x);
-  leaving_spacing_.push_back(spacing);
-  leaving_carried_.push_back(carried_impulse);
-  offset_.push_back(offset);
-  to_.push_back(slab_of(x));
+  leaving_.carried[m] = carried_impulse;
+  leaving_.spacing[m] = spacing;
+  leaving_.to[m] = slab_of(x);
 }
 
 template <int Dim> int CoupledFluid<Dim>::slab_of(const VecD &x) const
@@ -164,7 +178,7 @@ template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints 
   const int own = any_own(object);
   if (own < 0 || points_.state[own][FluidState::KNOWS_BEFORE] == 0.0) return 0.0;
   const double *point = points_.object_point[own];
-  const double lambda = point[Topology::LAMBDA], area = ring_.outline_area();
+  const double lambda = points_.object_size[own][Topology::LAMBDA], area = ring_.outline_area();
   if (area <= 0.0) return 0.0;
   const double missing = lambda * lambda * point[Topology::NATURAL_AREA] / area - 1.0;
   const double natural =

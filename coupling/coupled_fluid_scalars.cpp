@@ -35,27 +35,30 @@ template <int Dim> double CoupledFluid<Dim>::seconds_in_scalars() const
 /// By way of the points' accounts: the markers on their outlines get the value, those inside 0.
 template <int Dim> void CoupledFluid<Dim>::tell_markers(const std::vector<double> &by_point, std::vector<double> &by_marker)
 {
-  std::vector<double> told, arrived, leaving(leaving_x_.size(), 0.0);
+  std::vector<double> told, leaving(leaving_.size(), 0.0);
+  Arrivals<double> arrived, arrived_at_slabs;
   for (const int point : reporting_) told.push_back(by_point[point]);
   to_homes_.deliver_again(told, arrived);
   for (std::size_t n = 0; n < arrived.size(); ++n) {
     const Account &account = accounts_[arrived_reports_[n].slot];
     std::fill_n(leaving.begin() + account.first, account.n_carrying, arrived[n]);
   }
-  to_slabs_.deliver_again(leaving, by_marker);
+  to_slabs_.deliver_again(leaving, arrived_at_slabs);
+  by_marker.assign(arrived_at_slabs.begin(), arrived_at_slabs.end());
 }
 
 template <int Dim> void CoupledFluid<Dim>::hear_markers(const std::vector<double> &by_marker, std::vector<ScalarMet> &by_point)
 {
-  std::vector<double> back;
-  std::vector<ScalarMet> sums, here;
+  Arrivals<double> back;
+  std::vector<ScalarMet> sums;
+  Arrivals<ScalarMet> here;
   to_slabs_.reply(by_marker, back);
   for (const Report &report : arrived_reports_) {
     const Account &account = accounts_[report.slot];
     ScalarMet sum;
     for (int m = account.first; m < account.first + account.n_carrying; ++m) {
-      sum.amount += leaving_spacing_[m] * back[m];
-      sum.spacing += leaving_spacing_[m];
+      sum.amount += leaving_.spacing[m] * back[m];
+      sum.spacing += leaving_.spacing[m];
     }
     sums.push_back(sum);
   }

@@ -88,20 +88,22 @@ template <int Dim> std::array<int, Dim> CoupledScalar<Dim>::cell_of(const Triple
 
 template <int Dim> std::vector<double> CoupledScalar<Dim>::values_at(const std::vector<Triple> &places)
 {
-  std::vector<std::array<int, Dim>> cells, arrived;
+  std::vector<std::array<int, Dim>> cells;
+  Arrivals<std::array<int, Dim>> arrived;
   std::vector<int> to;
   for (const Triple &place : places) {
     cells.push_back(cell_of(place));
     to.push_back(grid_.rank_of_plane(cells.back()[Grid<Dim>::last]));
   }
   to_slabs_.deliver(cells, to, arrived);
-  std::vector<double> answers, values;
+  std::vector<double> answers;
+  Arrivals<double> values;
   for (std::array<int, Dim> cell : arrived) {
     cell[Grid<Dim>::last] -= grid_.first_plane;
     answers.push_back(transport_.values()[layout_.at(cell)]);
   }
   to_slabs_.reply(answers, values);
-  return values;
+  return {values.begin(), values.end()};
 }
 
 template <int Dim> ScalarReport CoupledScalar<Dim>::report()

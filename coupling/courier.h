@@ -4,10 +4,35 @@
 #include <mpi.h>
 
 #include <numeric>
+#include <span>
 #include <type_traits>
 #include <vector>
 
 namespace swellflow {
+
+/// What has come with a delivery or a reply. On one rank these are the sent records themselves, which must stay as they are as long as this is read.
+template <class T> class Arrivals {
+public:
+  std::size_t size() const { return all_.size(); }
+  bool empty() const { return all_.empty(); }
+  const T &operator[](std::size_t i) const { return all_[i]; }
+  auto begin() const { return all_.begin(); }
+  auto end() const { return all_.end(); }
+  operator std::span<const T>() const { return all_; }
+
+private:
+  friend class Courier;
+  void refer_to(const std::vector<T> &records) { all_ = records; }
+  std::vector<T> &room(std::size_t n)
+  {
+    room_.resize(n);
+    all_ = room_;
+    return room_;
+  }
+
+  std::span<const T> all_;
+  std::vector<T> room_;
+};
 
 /// LIGGGHTS' decomposition and the fluid's slabs are independent of each other, so any rank may have something for any other. All tell all how many records
 /// will come, one number a pair; the records themselves go only where there are some.
@@ -21,7 +46,7 @@ public:
   }
 
   /// records[i] goes to rank to[i]; those that arrive stand in the order of their senders. Collective.
-  template <class T> void deliver(const std::vector<T> &records, const std::vector<int> &to, std::vector<T> &arrived)
+  template <class T> void deliver(const std::vector<T> &records, const std::vector<int> &to, Arrivals<T> &arrived)
   {
     if (ranks_ == 1) return deliver_again(records, arrived);
     sort_by_rank(to);
@@ -31,29 +56,23 @@ public:
   }
 
   /// More records from the same senders to the same receivers as in the last delivery. Collective.
-  template <class T> void deliver_again(const std::vector<T> &records, std::vector<T> &arrived)
+  template <class T> void deliver_again(const std::vector<T> &records, Arrivals<T> &arrived)
   {
-    if (ranks_ == 1) {
-      arrived = records;
-      return;
-    }
+    if (ranks_ == 1) return arrived.refer_to(records);
     sort_records(records);
-    arrived.resize(received_start_[ranks_]);
-    exchange(reinterpret_cast<const T *>(sorted_bytes_.data()), sent_, sent_start_, arrived.data(), received_, received_start_);
+    std::vector<T> &room = arrived.room(received_start_[ranks_]);
+    exchange(reinterpret_cast<const T *>(sorted_bytes_.data()), sent_, sent_start_, room.data(), received_, received_start_);
   }
 
   /// answers[i] belongs to arrived[i] of the last delivery; back[i] is the answer to records[i]. Collective.
-  template <class T> void reply(const std::vector<T> &answers, std::vector<T> &back)
+  template <class T> void reply(const std::vector<T> &answers, Arrivals<T> &back)
   {
-    if (ranks_ == 1) {
-      back = answers;
-      return;
-    }
+    if (ranks_ == 1) return back.refer_to(answers);
     sorted_bytes_.resize(place_.size() * sizeof(T));
     T *sorted = reinterpret_cast<T *>(sorted_bytes_.data());
     exchange(answers.data(), received_, received_start_, sorted, sent_, sent_start_);
-    back.resize(place_.size());
-    for (std::size_t i = 0; i < place_.size(); ++i) back[i] = sorted[place_[i]];
+    std::vector<T> &room = back.room(place_.size());
+    for (std::size_t i = 0; i < place_.size(); ++i) room[i] = sorted[place_[i]];
   }
 
 private:

@@ -25,6 +25,7 @@ void DemEngine::refresh()
   mass = static_cast<double *>(lammps_extract_atom(lammps_, "rmass"));
   objects_ = LAMMPS_NS::find_objects(static_cast<LAMMPS_NS::LAMMPS *>(lammps_));
   object_point = objects_ ? per_atom(LAMMPS_NS::FixObjects::PROPERTY) : nullptr;
+  object_size = objects_ ? per_atom(LAMMPS_NS::FixObjects::SIZES) : nullptr;
   law = per_atom(FluidLaw::NAME);
   impulse = per_atom(FluidImpulse::NAME);
   ahead = per_atom(FluidAhead::NAME);
@@ -33,10 +34,7 @@ void DemEngine::refresh()
   state = per_atom(FluidState::NAME);
 }
 
-int DemEngine::own_index(int i) const
-{
-  return i < n_own_ ? i : objects_->own_index(i);
-}
+int DemEngine::own_of_image(int i) const { return objects_->own_index(i); }
 
 double **DemEngine::per_atom(const char *id) const
 {

@@ -26,7 +26,7 @@ public:
 
   int n_own() const { return n_own_; }
   /// The own point that i, an own point or a ghost of whatever image, stands for; -1 when another rank owns it.
-  int own_index(int i) const;
+  int own_index(int i) const { return i < n_own_ ? i : own_of_image(i); }
   /// The vertices of an object's outline relative to its hub.
   std::vector<Vector2> outline(const ObjectPoints &object) const;
   double time_step() const { return time_step_; }
@@ -36,11 +36,12 @@ public:
 
   // Own points and ghosts, but for the last line: own points only.
   double **x = nullptr, **v = nullptr, *mass = nullptr;
-  double **object_point = nullptr;   ///< columns: FixObjects::Column; null in a scene without objects
+  double **object_point = nullptr, **object_size = nullptr;  ///< columns: FixObjects::Column, SizeColumn; null in a scene without objects
   double **carried = nullptr, **law = nullptr, **ahead = nullptr;  ///< columns: FluidCarried, FluidLaw, FluidAhead
   double **impulse = nullptr, **home = nullptr, **state = nullptr;  ///< columns: FluidImpulse, FluidHome, FluidState
 
 private:
+  int own_of_image(int i) const;
   double **per_atom(const char *id) const;
   std::array<double, 3> corner(const char *x, const char *y, const char *z) const;
 

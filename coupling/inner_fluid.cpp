@@ -25,16 +25,11 @@ template <class Visit> void for_each_own_bearing(const ObjectPoints &object, con
   });
 }
 
-/// The running mean of the contacts' forces and torque over some two fluid steps, kept in the points' state: what can be trusted to go on, however long the fluid's step is against the
-/// time of a contact.
-Eigen::Vector3d lasting_contact(const ObjectPoints &object, const DemEngine &points, const Eigen::Vector3d &now)
+int own_bearer(const ObjectPoints &object, const DemEngine &points)
 {
-  Eigen::Vector3d result = Eigen::Vector3d::Zero();
-  for_each_own_bearing(object, points, [&](int own, int) {
-    double *mean = points.state[own] + FluidState::CONTACT_X;
-    for (int c = 0; c < 3; ++c) result[c] = mean[c] += 0.5 * (now[c] - mean[c]);
-  });
-  return result;
+  for (int k = 0; k < object.n_ring; ++k)
+    if (const int own = points.own_index(object.ring[k]); own >= 0) return own;
+  return points.object_point[object.hub][LAMMPS_NS::FixObjects::SPOKES] != 0.0 ? points.own_index(object.hub) : -1;
 }
 
 }  // namespace
@@ -44,41 +39,42 @@ bool InnerFluid::needs_markers(const ObjectMotion &motion, double layer_mass) co
   return mass(motion) - motion.mass > bearable_share * layer_mass;
 }
 
-void InnerFluid::follow(const ObjectPoints &object, const ObjectMotion &motion, const DemEngine &points, double dt_before) const
+/// When a fluid step begins.
+void InnerFluid::follow(Known &state, const ObjectMotion &motion, double dt_before)
 {
   const double now[] = {motion.velocity[0], motion.velocity[1], motion.spin};
-  for_each_own_bearing(object, points, [&](int own, int) {
-    double *state = points.state[own];
-    for (int c = 0; c < 3; ++c) {
-      if (state[FluidState::KNOWS_BEFORE] != 0.0)
-        state[FluidState::DUE_X + c] += now[c] - state[FluidState::VELOCITY_X + c] - state[FluidState::RETURNED_X + c] * dt_before;
-      state[FluidState::VELOCITY_X + c] = now[c];
-    }
-    state[FluidState::KNOWS_BEFORE] = state[FluidState::KNOWS_BEFORE] == 0.0 ? 1.0 : 2.0;
-    state[FluidState::SWELLING] = points.object_point[own][LAMMPS_NS::FixObjects::LAMBDA];
-  });
+  const bool known = state[FluidState::KNOWS_BEFORE] != 0.0;
+  for (int c = 0; c < 3; ++c) {
+    if (known) state[FluidState::DUE_X + c] += now[c] - state[FluidState::VELOCITY_X + c] - state[FluidState::RETURNED_X + c] * dt_before;
+    state[FluidState::VELOCITY_X + c] = now[c];
+  }
+  state[FluidState::KNOWS_BEFORE] = known ? 2.0 : 1.0;
+  state[FluidState::SWELLING] = motion.swelling;
 }
 
 /// sum of kappa over the points, as it resists a rigid motion, times dt; dt times the sums of the law's forces and torques at the present velocities; and the sums of those of contacts
 /// (springs cancel).
 InnerFluid::Drag InnerFluid::drag_of(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity, double dt, const DemEngine &points)
 {
-  Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), contact = Eigen::Vector3d::Zero();
-  double sum = 0.0, sum_x = 0.0, sum_y = 0.0, sum_square = 0.0;
+  double impulse[3] = {}, contact[3] = {}, sum = 0.0, sum_x = 0.0, sum_y = 0.0, sum_square = 0.0;
   for_each_bearing(object, points, [&](int i) {
-    const double rx = points.x[i][0] - motion.centre[0], ry = points.x[i][1] - motion.centre[1], kappa = points.law[i][FluidLaw::KAPPA];
+    const double *law = points.law[i], *outer = points.ahead[i] + FluidAhead::OUTER_X;
+    const double rx = points.x[i][0] - motion.centre[0], ry = points.x[i][1] - motion.centre[1], kappa = law[FluidLaw::KAPPA], mass = points.mass[i];
     const Vec<2> v = drift_velocity(points, i, gravity);
-    const double fx = points.law[i][FluidLaw::A_X] - kappa * v[0], fy = points.law[i][FluidLaw::A_Y] - kappa * v[1];
-    impulse += Eigen::Vector3d(fx, fy, rx * fy - ry * fx);
-    const double *f = points.ahead[i] + FluidAhead::OUTER_X, mass = points.mass[i], cx = f[0] - mass * gravity[0], cy = f[1] - mass * gravity[1];
-    contact += Eigen::Vector3d(cx, cy, rx * cy - ry * cx);
+    const double fx = law[FluidLaw::A_X] - kappa * v[0], fy = law[FluidLaw::A_Y] - kappa * v[1], cx = outer[0] - mass * gravity[0], cy = outer[1] - mass * gravity[1];
+    impulse[0] += fx;
+    impulse[1] += fy;
+    impulse[2] += rx * fy - ry * fx;
+    contact[0] += cx;
+    contact[1] += cy;
+    contact[2] += rx * cy - ry * cx;
     sum += kappa;
     sum_x += kappa * rx;
     sum_y += kappa * ry;
     sum_square += kappa * (rx * rx + ry * ry);
   });
   const Eigen::Matrix3d mass{{sum, 0.0, -sum_y}, {0.0, sum, sum_x}, {-sum_y, sum_x, sum_square}};
-  return {.impulse = dt * impulse, .contact = contact, .mass = dt * mass};
+  return {.impulse = dt * Eigen::Vector3d(impulse), .contact = Eigen::Vector3d(contact), .mass = dt * mass};
 }
 
 /// As a rigid body: (M - rho_f V) (V1 - V0) = dt [ sum (a - kappa u) + (M - rho_f V) g + lasting contact ], u = V1 + W1 x r + what points have beyond that now; the same with torques.
@@ -99,21 +95,32 @@ Eigen::Vector3d InnerFluid::lacking(const Drag &drag) const
   return lacking.allFinite() ? lacking : Eigen::Vector3d::Zero();
 }
 
-void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &motion, bool has_markers, const Triple &gravity, double dt, const DemEngine &points) const
+void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &motion, bool has_markers, const Triple &gravity, double dt, double dt_before,
+                                const DemEngine &points) const
 {
-  bool meets = false;
-  for_each_own_bearing(object, points, [&](int own, int) { meets = meets || points.state[own][FluidState::KNOWS_BEFORE] == 1.0; });
+  const int bearer = own_bearer(object, points);
+  if (bearer < 0) return;
+  Known state;
+  std::copy_n(points.state[bearer], state.size(), state.begin());
+  follow(state, motion, dt_before);
+  const bool meets = state[FluidState::KNOWS_BEFORE] == 1.0;
   Drag drag = meets || !has_markers ? drag_of(object, motion, gravity, dt, points) : Drag{};
-  drag.contact = lasting_contact(object, points, drag.contact);
+  // The running mean of the contacts' forces and torque over some two fluid steps: what can be trusted to go on, however long the fluid's step is against the time of a contact.
+  for (int c = 0; c < 3; ++c) {
+    double &mean = state[FluidState::CONTACT_X + c];
+    drag.contact[c] = mean += 0.5 * (drag.contact[c] - mean);
+  }
   const Eigen::Vector3d foreseen = has_markers ? Eigen::Vector3d::Zero() : foresee(drag, motion, gravity, dt);
   const Eigen::Vector3d at_first = meets ? lacking(drag) : Eigen::Vector3d::Zero();
+  double *a = &state[FluidState::RETURNED_X];
+  for (int c = 0; c < 3; ++c) {
+    if (meets) state[FluidState::DUE_X + c] = at_first[c];
+    a[c] = foreseen[c] + state[FluidState::DUE_X + c] / (smoothing_steps * dt);
+  }
+  const double per_mass = mass(motion) / motion.mass, turn = motion.inner_inertia * a[2];
   for_each_own_bearing(object, points, [&](int own, int image) {
-    double *state = points.state[own], *a = state + FluidState::RETURNED_X;
-    for (int c = 0; meets && c < 3; ++c) state[FluidState::DUE_X + c] = at_first[c];
-    for (int c = 0; c < 3; ++c) a[c] = foreseen[c] + state[FluidState::DUE_X + c] / (smoothing_steps * dt);
-    const double rx = points.x[image][0] - motion.centre[0], ry = points.x[image][1] - motion.centre[1];
-    const double share = mass(motion) / motion.mass * points.mass[own];
-    const double turn = motion.inner_inertia * a[2];
+    std::copy_n(state.begin(), state.size(), points.state[own]);
+    const double rx = points.x[image][0] - motion.centre[0], ry = points.x[image][1] - motion.centre[1], share = per_mass * points.mass[own];
     const double force[] = {share * (a[0] - turn * ry - gravity[0]), share * (a[1] + turn * rx - gravity[1])};
     for (int d = 0; d < 2; ++d) {
       points.home[own][FluidHome::INNER_FORCE_X + d] = force[d];

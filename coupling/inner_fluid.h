@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 
 #include "coupling/dem_engine.h"
 #include "coupling/object_motion.h"
+#include "liggghts_plugins/fluid_columns.h"
 #include "liggghts_plugins/fluid_partner.h"
 
 namespace swellflow {
@@ -21,11 +23,9 @@ public:
   /// Whether the fluid inside is too heavy for the layer that the markers on the outline move at once (its mass per unit depth, rho_f times perimeter times h /
   /// beta), so that it must be moved by markers of its own.
   bool needs_markers(const ObjectMotion &motion, double layer_mass) const;
-  /// Takes note of the velocity and the natural size of the object when a fluid step begins; dt_before: the length of the last one.
-  void follow(const ObjectPoints &object, const ObjectMotion &motion, const DemEngine &points, double dt_before) const;
-  /// Adds the force to the law of own points, for a step of length dt. All points, ghosts too, need the law without it. `has_markers`: the fluid inside has markers.
-  /// It then follows at once: nothing is foreseen.
-  void return_inertia(const ObjectPoints &object, const ObjectMotion &motion, bool has_markers, const Triple &gravity, double dt, const DemEngine &points) const;
+  /// Adds the force to the law of own points, for a step of length dt, the last having had dt_before. All points, ghosts too, need the law without it. `has_markers`: the fluid
+  /// inside has markers. It then follows at once: nothing is foreseen. Notes in the points' state how the object moves.
+  void return_inertia(const ObjectPoints &object, const ObjectMotion &motion, bool has_markers, const Triple &gravity, double dt, double dt_before, const DemEngine &points) const;
 
 private:
   /// In x, y and about the centre.
@@ -33,6 +33,9 @@ private:
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), contact = Eigen::Vector3d::Zero();
     Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
   };
+  /// What the points of an object know of it, all of them the same: FluidState up to CONTACT_TURN.
+  using Known = std::array<double, FluidState::CONTACT_TURN + 1>;
+  static void follow(Known &state, const ObjectMotion &motion, double dt_before);
   double mass(const ObjectMotion &motion) const { return density_ * motion.natural_area; }
   static Drag drag_of(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity, double dt, const DemEngine &points);
   Eigen::Vector3d foresee(const Drag &drag, const ObjectMotion &motion, const Triple &gravity, double dt) const;

@@ -9,15 +9,15 @@
 
 namespace swellflow {
 
-using Column = LAMMPS_NS::FixObjects::Column;
+using Column = LAMMPS_NS::FixObjects;
 
 void MarkerRing::look_at_vertices(const ObjectPoints &object, const DemEngine &points)
 {
   vertices_.resize(object.n_ring);
-  const double *x_hub = points.x[object.hub];
+  const double *x_hub = points.x[object.hub], lambda = points.object_size[object.hub][Column::LAMBDA];
   for (int k = 0; k < object.n_ring; ++k) {
     const int i = object.ring[k];
-    const double *x = points.x[i], *v = points.v[i], *point = points.object_point[i], offset = point[Column::LAMBDA] * point[Column::OUTLINE_OFFSET];
+    const double *x = points.x[i], *v = points.v[i], offset = lambda * points.object_point[i][Column::OUTLINE_OFFSET];
     const Vector2 from_hub(x[0] - x_hub[0], x[1] - x_hub[1]);
     const double distance = offset == 0.0 ? 0.0 : from_hub.norm();
     vertices_[k] = {from_hub, Vector2(v[0], v[1]), distance > 0.0 ? offset / distance : 0.0};
@@ -37,11 +37,13 @@ void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int 
   const double *x_hub = points.x[object.hub];
   const Vector2 u_hub(points.v[object.hub][0], points.v[object.hub][1]);
   if (points.object_point[object.hub][Column::SPOKES] == 0.0) retraction = 0.0;
-  for (int m = 0; m < size(); ++m) {
+  int of_point = 0, point = 0;  // which of a point's markers, whose
+  for (int m = 0; m < size(); ++m, ++of_point) {
+    if (of_point == per_point) of_point = 0, ++point;
     Marker &marker = markers_[m];
-    marker.point = m / per_point;
-    const double t = (m % per_point + 0.5) / per_point - 0.5;
-    marker.partner = t < 0.0 ? (marker.point > 0 ? marker.point : object.n_ring) - 1 : (marker.point + 1 < object.n_ring ? marker.point + 1 : 0);
+    marker.point = point;
+    const double t = (of_point + 0.5) / per_point - 0.5;
+    marker.partner = t < 0.0 ? (point > 0 ? point : object.n_ring) - 1 : (point + 1 < object.n_ring ? point + 1 : 0);
     const double along = std::abs(t);
     const Vertex &a = vertices_[marker.point], &b = vertices_[marker.partner];
     const double excess_a = (1.0 - along) * a.excess, excess_b = along * b.excess;
@@ -56,7 +58,8 @@ void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int 
       marker.u[d] = u[d];
     }
   }
-  for (int m = 0; m < size(); ++m) gaps_[m] = (from_hub_[after(m)] - from_hub_[m]).norm();
+  for (int m = 0; m + 1 < size(); ++m) gaps_[m] = (from_hub_[m + 1] - from_hub_[m]).norm();
+  gaps_.back() = (from_hub_.front() - from_hub_.back()).norm();
   const PolygonArea inside = polygon_area(from_hub_);
   area_ = inside.area;
   outline_area_ = polygon_area(outline_).area;

@@ -7,39 +7,46 @@ namespace swellflow {
 
 namespace {
 
+/// About the hub, so that far from the origin no digits are lost.
 void find_mass(const ObjectPoints &object, const DemEngine &points, ObjectMotion &motion)
 {
   const double *hub = points.x[object.hub];
-  for_each_bearing(object, points, [&](int i) { motion.mass += points.mass[i]; });
-  motion.centre = {hub[0], hub[1]};
+  double x = 0.0, y = 0.0, square = 0.0;
   for_each_bearing(object, points, [&](int i) {
-    for (int d = 0; d < 2; ++d) motion.centre[d] += points.mass[i] / motion.mass * (points.x[i][d] - hub[d]);
+    const double m = points.mass[i], rx = points.x[i][0] - hub[0], ry = points.x[i][1] - hub[1];
+    motion.mass += m;
+    x += m * rx;
+    y += m * ry;
+    square += m * (rx * rx + ry * ry);
   });
-  for_each_bearing(object, points, [&](int i) {
-    for (int d = 0; d < 2; ++d) motion.inertia += points.mass[i] * (points.x[i][d] - motion.centre[d]) * (points.x[i][d] - motion.centre[d]);
-  });
+  x /= motion.mass;
+  y /= motion.mass;
+  motion.centre = {hub[0] + x, hub[1] + y};
+  motion.inertia = square - motion.mass * (x * x + y * y);
 }
 
+/// Sums about the first ring point's place and velocity; then by the theorem of parallel axes about the mean.
 void find_velocity(const ObjectPoints &object, const DemEngine &points, const Triple &gravity, ObjectMotion &motion)
 {
-  Vec<2> mean{};
+  const double *first = points.x[object.ring[0]], n = object.n_ring;
+  const Vec<2> v_first = drift_velocity(points, object.ring[0], gravity);
+  double x = 0.0, y = 0.0, u = 0.0, v = 0.0, turn = 0.0, square = 0.0;
   for (int k = 0; k < object.n_ring; ++k) {
-    const Vec<2> v = drift_velocity(points, object.ring[k], gravity);
-    for (int d = 0; d < 2; ++d) {
-      mean[d] += points.x[object.ring[k]][d] / object.n_ring;
-      motion.velocity[d] += v[d] / object.n_ring;
-    }
-  }
-  double turn = 0.0, square = 0.0;
-  for (int k = 0; k < object.n_ring; ++k) {
-    const double *x = points.x[object.ring[k]], rx = x[0] - mean[0], ry = x[1] - mean[1];
-    const Vec<2> v = drift_velocity(points, object.ring[k], gravity);
-    turn += rx * v[1] - ry * v[0];
+    const double *at = points.x[object.ring[k]], rx = at[0] - first[0], ry = at[1] - first[1];
+    const Vec<2> drift = drift_velocity(points, object.ring[k], gravity);
+    const double du = drift[0] - v_first[0], dv = drift[1] - v_first[1];
+    x += rx;
+    y += ry;
+    u += du;
+    v += dv;
+    turn += rx * dv - ry * du;
     square += rx * rx + ry * ry;
   }
+  turn -= (x * v - y * u) / n;
+  square -= (x * x + y * y) / n;
   if (square > 0.0) motion.spin = turn / square;
-  motion.velocity[0] -= motion.spin * (motion.centre[1] - mean[1]);
-  motion.velocity[1] += motion.spin * (motion.centre[0] - mean[0]);
+  const double arm_x = motion.centre[0] - (first[0] + x / n), arm_y = motion.centre[1] - (first[1] + y / n);
+  motion.velocity = {v_first[0] + u / n - motion.spin * arm_y, v_first[1] + v / n + motion.spin * arm_x};
 }
 
 }  // namespace
@@ -49,11 +56,12 @@ ObjectMotion motion_of(const ObjectPoints &object, const DemEngine &points, cons
   ObjectMotion motion;
   find_mass(object, points, motion);
   find_velocity(object, points, gravity, motion);
-  using Column = LAMMPS_NS::FixObjects::Column;
+  using Column = LAMMPS_NS::FixObjects;
   const double *topology = points.object_point[object.hub];
-  const double diameter = topology[Column::DIAMETER] * topology[Column::LAMBDA];
+  const double lambda = points.object_size[object.hub][Column::LAMBDA], diameter = topology[Column::DIAMETER] * lambda;
+  motion.swelling = lambda;
   motion.natural_area = std::numbers::pi / 4.0 * diameter * diameter;
-  const double lambda = topology[Column::LAMBDA], mean_square = lambda * lambda * topology[Column::MEAN_SQUARE_RADIUS];
+  const double mean_square = lambda * lambda * topology[Column::MEAN_SQUARE_RADIUS];
   motion.inner_inertia = mean_square * motion.mass / motion.inertia;
   // A ring without spokes is a membrane about its fluid, which has no mass at the fluid's density; below that it turns as a disc of its density would.
   if (topology[Column::SPOKES] == 0.0) motion.inner_inertia = std::min(1.0, motion.inner_inertia * (1.0 + motion.mass / (fluid_density * motion.natural_area)));

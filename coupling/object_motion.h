@@ -34,6 +34,7 @@ struct ObjectMotion {
   double spin = 0.0;            ///< of the ring: sum of r x v over sum of r^2, about its mean
   double mass = 0.0, inertia = 0.0;  ///< of all points; inertia about the centre
   double inner_inertia = 0.0;   ///< of the fluid inside, over that of points that share its mass as they share the object's
+  double swelling = 1.0;        ///< natural swelling ratio
   double natural_area = 0.0;    ///< pi (lambda D0)^2 / 4: that of the disc whose mass the points share
 };
 

@@ -25,7 +25,7 @@ public:
       origin_ += ghost * extent;
       extent *= cells_[d] + 2 * ghost;
     }
-    size_ = static_cast<std::size_t>(extent);
+    size_ = static_cast<std::size_t>(extent) + kPad;  // the rows of a stencil are read in whole vectors (markers.cpp)
   }
 
   int cells(int d) const { return cells_[d]; }

@@ -20,7 +20,7 @@ template <int Dim> auto columns(const std::vector<Vec<Dim>> &v)
 }  // namespace
 
 template <int Dim>
-void MarkerSolver<Dim>::solve(const std::vector<double> &spacing, const std::vector<Vec<Dim>> &change, double density, std::vector<Vec<Dim>> &impulses)
+void MarkerSolver<Dim>::solve(std::span<const double> spacing, const std::vector<Vec<Dim>> &change, double density, std::vector<Vec<Dim>> &impulses)
 {
   const auto n = static_cast<Eigen::Index>(spacing.size());
   mass_ = density * grid_.h * Eigen::Map<const Eigen::Array<double, 1, Eigen::Dynamic>>(spacing.data(), n);

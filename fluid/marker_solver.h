@@ -49,7 +49,7 @@ public:
 
   /// spacing: the length (2-D) or area (3-D) of outline that a marker stands for; change: W. Ranks without markers take part. Throws std::runtime_error, on every
   /// rank alike, when the iterations do not converge. Collective.
-  void solve(const std::vector<double> &spacing, const std::vector<Vec<Dim>> &change, double density, std::vector<Vec<Dim>> &impulses);
+  void solve(std::span<const double> spacing, const std::vector<Vec<Dim>> &change, double density, std::vector<Vec<Dim>> &impulses);
 
   int iterations() const { return iterations_; }  ///< of the last `solve`, both systems together
 

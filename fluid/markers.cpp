@@ -1,6 +1,9 @@
 #include "fluid/markers.h"
 
+#include <Eigen/Core>
 #include <cassert>
+#include <limits>
+#include <stdexcept>
 
 #include "fluid/delta_kernel.h"
 
@@ -10,9 +13,19 @@ namespace {
 
 template <int Dim, class Kernel> class KernelMarkers final : public Markers<Dim> {
 public:
-  KernelMarkers(const Grid<Dim> &grid, const Layout<Dim> &layout) : grid_(grid), layout_(layout) {}
+  KernelMarkers(const Grid<Dim> &grid, const Layout<Dim> &layout) : grid_(grid), layout_(layout)
+  {
+    if (layout.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      throw std::invalid_argument("a rank must have less than 2^31 cells with those around them, but has " + std::to_string(layout.size()) + ": use more ranks");
+    for (int d = 0; d < Dim; ++d) {
+      const int begin = d == Grid<Dim>::last ? grid.first_plane : 0, n = layout.cells(d);
+      constexpr int ghost = Grid<Dim>::ghost;
+      directions_[d] = {.periodic = grid.periodic[d], .begin = begin, .cells = grid.cells[d], .lowest = begin - ghost, .highest = begin + n + ghost - width,
+                        .origin = grid.origin[d], .size = 1.0 * grid.cells[d], .middle = begin + 0.5 * n};
+    }
+  }
 
-  void place(const std::vector<Vec<Dim>> &positions) override;
+  void place(std::span<const Vec<Dim>> positions) override;
   int size() const override { return static_cast<int>(stencils_.size()); }
   using typename Markers<Dim>::Interpolation;
   using typename Markers<Dim>::Spreading;
@@ -20,7 +33,7 @@ public:
   using Markers<Dim>::spread;
   void interpolate(std::initializer_list<Interpolation> wanted) const override;
   void spread(std::initializer_list<Spreading> wanted, double density) const override;
-  void place_in_cells(const std::vector<Vec<Dim>> &positions) override;
+  void place_in_cells(std::span<const Vec<Dim>> positions) override;
   void interpolate(const Field<Dim> &cells, std::vector<double> &values) const override;
   void spread(const std::vector<double> &amounts, Field<Dim> &cells) const override;
   double scale() const override { return Kernel::scale; }
@@ -29,12 +42,26 @@ public:
 private:
   static constexpr int width = Kernel::width;
   static constexpr int centres = Dim;  // in the place of a component: of the cells
+  /// Rows along direction 0 are taken as vectors: behind the last weight of an odd kernel comes a zero.
+  static constexpr int row_width = 4;
+  static_assert(width <= row_width);
+  using Row = Eigen::Array<double, row_width, 1>;
+  using Faces = Eigen::Map<Row>;
+  using ConstFaces = Eigen::Map<const Row>;
   struct Stencil {
-    std::ptrdiff_t first;  // the lowest point of the support
-    int first_plane;
-    std::array<std::array<double, width>, Dim> weight;  // by direction, point
+    std::array<double, row_width> along;
+    std::array<std::array<double, width>, Dim - 1> across;  // by direction from 1 on, point
+    int first, first_plane;                                 // the lowest point of the support
+    ConstFaces row() const { return ConstFaces(along.data()); }
   };
 
+  /// What a direction of the slab is to markers, in cells.
+  struct Direction {
+    bool periodic;
+    int begin, cells;               // the slab's first plane; cells of the box
+    int lowest, highest;            // first points of a support
+    double origin, size, middle;    // the box's lower corner [length], its size; the slab's middle
+  };
   Vec<Dim> in_cells(const Vec<Dim> &position) const;
   static void weigh(bool along, double r, double *w)
   {
@@ -43,29 +70,39 @@ private:
     else Kernel::Across::weights(r, w);
   }
   Stencil stencil_of(const Vec<Dim> &x, int c) const;
-  static void leave_out_walls(int first, int lowest, int highest, std::array<double, width> &w);
+  static void leave_out_walls(int first, int lowest, int highest, double *w);
 
-  template <class Visit> void each_point(const Stencil &stencil, Visit &&visit) const
+  /// visit(first point of a row, weight of the row)
+  template <class Visit> void each_row(const Stencil &stencil, Visit &&visit) const
   {
-    const auto &w = stencil.weight;
-    if constexpr (Dim == 2) {
-      for (int j = 0; j < width; ++j)
-        for (int i = 0; i < width; ++i) visit(stencil.first + j * layout_.stride(1) + i, w[1][j] * w[0][i]);
-    } else {
-      for (int k = 0; k < width; ++k)
-        for (int j = 0; j < width; ++j)
-          for (int i = 0; i < width; ++i)
-            visit(stencil.first + k * layout_.stride(2) + j * layout_.stride(1) + i, w[2][k] * w[1][j] * w[0][i]);
+    const auto &w = stencil.across;
+    for (int j = 0; j < width; ++j) {
+      const std::ptrdiff_t at = stencil.first + j * layout_.stride(1);
+      if constexpr (Dim == 2) visit(at, w[0][j]);
+      else
+        for (int k = 0; k < width; ++k) visit(at + k * layout_.stride(2), w[1][k] * w[0][j]);
     }
+  }
+  double sum_of(const Stencil &stencil, const double *values) const
+  {
+    Row sum = Row::Zero();
+    each_row(stencil, [&](std::ptrdiff_t at, double weight) { sum += weight * ConstFaces(values + at); });
+    return (sum * stencil.row()).sum();
+  }
+  void add_to(double *values, const Stencil &stencil, double amount) const
+  {
+    const Row row = amount * stencil.row();
+    each_row(stencil, [&](std::ptrdiff_t at, double weight) { Faces(values + at) += weight * row; });
   }
 
   const Grid<Dim> &grid_;
   const Layout<Dim> &layout_;
+  std::array<Direction, Dim> directions_;
   std::vector<std::array<Stencil, Dim>> stencils_;  // by component
   std::vector<Stencil> cell_stencils_;
 };
 
-template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::place(const std::vector<Vec<Dim>> &positions)
+template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::place(std::span<const Vec<Dim>> positions)
 {
   stencils_.resize(positions.size());
   for (std::size_t l = 0; l < positions.size(); ++l) {
@@ -74,7 +111,7 @@ template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::place(const st
   }
 }
 
-template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::place_in_cells(const std::vector<Vec<Dim>> &positions)
+template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::place_in_cells(std::span<const Vec<Dim>> positions)
 {
   cell_stencils_.resize(positions.size());
   for (std::size_t l = 0; l < positions.size(); ++l) cell_stencils_[l] = stencil_of(in_cells(positions[l]), centres);
@@ -85,42 +122,41 @@ template <int Dim, class Kernel> Vec<Dim> KernelMarkers<Dim, Kernel>::in_cells(c
 {
   Vec<Dim> result;
   for (int d = 0; d < Dim; ++d) {
-    const double size = grid_.cells[d], x = (position[d] - grid_.origin[d]) / grid_.h;
-    const double middle = (d == Grid<Dim>::last ? grid_.first_plane : 0) + 0.5 * layout_.cells(d);
-    result[d] = grid_.periodic[d] ? x - size * std::floor((x - middle) / size + 0.5) : std::clamp(x, 0.0, size);
+    const Direction &along = directions_[d];
+    const double x = (position[d] - along.origin) / grid_.h;
+    result[d] = along.periodic ? x - along.size * std::floor((x - along.middle) / along.size + 0.5) : std::clamp(x, 0.0, along.size);
   }
   return result;
 }
 
 /// Of a velocity component, or `centres`.
 template <int Dim, class Kernel>
-typename KernelMarkers<Dim, Kernel>::Stencil KernelMarkers<Dim, Kernel>::stencil_of(const Vec<Dim> &x, int c) const
+[[gnu::always_inline]] inline typename KernelMarkers<Dim, Kernel>::Stencil KernelMarkers<Dim, Kernel>::stencil_of(const Vec<Dim> &x, int c) const
 {
   Stencil stencil;
-  constexpr int ghost = Grid<Dim>::ghost;
+  stencil.along.back() = 0.0;
   std::array<int, Dim> first;
   for (int d = 0; d < Dim; ++d) {
+    const Direction &along = directions_[d];
     // Faces of component c lie at whole numbers in direction c, at half ones in the others; cells at half ones in all.
     const double y = x[d] - (d == c ? 0.0 : 0.5);
-    const int begin = d == Grid<Dim>::last ? grid_.first_plane : 0;
     const int anchor = static_cast<int>(std::floor(y + (width % 2 ? 0.5 : 0.0)));
     // A marker on the upper end of its slab, or beyond by rounding, has the points of one just below.
-    const int lowest = begin - ghost, highest = begin + layout_.cells(d) + ghost - width;
-    first[d] = std::clamp(anchor - Kernel::anchor, lowest, highest);
+    first[d] = std::clamp(anchor - Kernel::anchor, along.lowest, along.highest);
     assert(std::abs(first[d] - (anchor - Kernel::anchor)) <= 1 && "a marker must lie in this rank's slab");
-    auto &w = stencil.weight[d];
-    weigh(d == c, y - (first[d] + Kernel::anchor), w.data());
-    if (!grid_.periodic[d]) leave_out_walls(first[d], d == c ? 1 : 0, grid_.cells[d] - 1, w);
-    first[d] -= begin;
+    double *w = d == 0 ? stencil.along.data() : stencil.across[d - 1].data();
+    weigh(d == c, y - (first[d] + Kernel::anchor), w);
+    if (!along.periodic) leave_out_walls(first[d], d == c ? 1 : 0, along.cells - 1, w);
+    first[d] -= along.begin;
   }
   stencil.first_plane = first[Dim - 1];
-  stencil.first = layout_.at(first);
+  stencil.first = static_cast<int>(layout_.at(first));
   return stencil;
 }
 
 /// Only the points lowest … highest of the box are the fluid's.
 template <int Dim, class Kernel>
-void KernelMarkers<Dim, Kernel>::leave_out_walls(int first, int lowest, int highest, std::array<double, width> &w)
+void KernelMarkers<Dim, Kernel>::leave_out_walls(int first, int lowest, int highest, double *w)
 {
   if (first >= lowest && first + width - 1 <= highest) return;
   double sum = 0.0;
@@ -128,7 +164,7 @@ void KernelMarkers<Dim, Kernel>::leave_out_walls(int first, int lowest, int high
     if (first + i < lowest || first + i > highest) w[i] = 0.0;
     sum += w[i];
   }
-  for (double &weight : w) weight /= sum;
+  for (int i = 0; i < width; ++i) w[i] /= sum;
 }
 
 template <int Dim, class Kernel>
@@ -137,12 +173,7 @@ void KernelMarkers<Dim, Kernel>::interpolate(std::initializer_list<Interpolation
   for (const Interpolation &one : wanted) one.values.resize(stencils_.size());
   for (std::size_t l = 0; l < stencils_.size(); ++l)
     for (const Interpolation &one : wanted)
-      for (int c = 0; c < Dim; ++c) {
-        const double *face = one.faces[c].data();
-        double sum = 0.0;
-        each_point(stencils_[l][c], [&](std::ptrdiff_t at, double weight) { sum += weight * face[at]; });
-        one.values[l][c] = sum;
-      }
+      for (int c = 0; c < Dim; ++c) one.values[l][c] = sum_of(stencils_[l][c], one.faces[c].data());
 }
 
 template <int Dim, class Kernel>
@@ -150,31 +181,24 @@ void KernelMarkers<Dim, Kernel>::spread(std::initializer_list<Spreading> wanted,
 {
   const double per_impulse = 1.0 / (density * grid_.cell_volume());
   for (std::size_t l = 0; l < stencils_.size(); ++l)
-    for (const Spreading &one : wanted)
-      for (int c = 0; c < Dim; ++c) {
-        const double change = per_impulse * one.impulses[l][c];
-        double *face = one.forcing.faces(c);
-        one.forcing.touch(stencils_[l][c].first_plane, stencils_[l][c].first_plane + width - 1);
-        each_point(stencils_[l][c], [&](std::ptrdiff_t at, double weight) { face[at] += weight * change; });
+    for (int c = 0; c < Dim; ++c) {
+      const Stencil &stencil = stencils_[l][c];
+      for (const Spreading &one : wanted) {
+        one.forcing.touch(stencil.first_plane, stencil.first_plane + width - 1);
+        add_to(one.forcing.faces(c), stencil, per_impulse * one.impulses[l][c]);
       }
+    }
 }
 
 template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::interpolate(const Field<Dim> &cells, std::vector<double> &values) const
 {
   values.resize(cell_stencils_.size());
-  for (std::size_t l = 0; l < cell_stencils_.size(); ++l) {
-    double sum = 0.0;
-    each_point(cell_stencils_[l], [&](std::ptrdiff_t at, double weight) { sum += weight * cells[at]; });
-    values[l] = sum;
-  }
+  for (std::size_t l = 0; l < cell_stencils_.size(); ++l) values[l] = sum_of(cell_stencils_[l], cells.data());
 }
 
 template <int Dim, class Kernel> void KernelMarkers<Dim, Kernel>::spread(const std::vector<double> &amounts, Field<Dim> &cells) const
 {
-  for (std::size_t l = 0; l < cell_stencils_.size(); ++l) {
-    const double change = amounts[l] / grid_.cell_volume();
-    each_point(cell_stencils_[l], [&](std::ptrdiff_t at, double weight) { cells[at] += weight * change; });
-  }
+  for (std::size_t l = 0; l < cell_stencils_.size(); ++l) add_to(cells.data(), cell_stencils_[l], amounts[l] / grid_.cell_volume());
 }
 
 }  // namespace

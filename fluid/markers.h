@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ public:
   virtual ~Markers() = default;
 
   /// Positions within this rank's slab. One beyond a wall is taken as lying on the wall; in a periodic direction any image of the position will do.
-  virtual void place(const std::vector<Vec<Dim>> &positions) = 0;
+  virtual void place(std::span<const Vec<Dim>> positions) = 0;
   virtual int size() const = 0;
 
   struct Interpolation {
@@ -30,7 +31,7 @@ public:
     std::vector<Vec<Dim>> &values;
   };
   struct Spreading {
-    const std::vector<Vec<Dim>> &impulses;
+    std::span<const Vec<Dim>> impulses;
     FaceForcing<Dim> &forcing;
   };
 
@@ -40,10 +41,10 @@ public:
 
   /// Adds to each face the change of velocity w_l J_l / (rho h^Dim) that impulses J [mass length / time] on the markers give. Several in one pass.
   virtual void spread(std::initializer_list<Spreading> wanted, double density) const = 0;
-  void spread(const std::vector<Vec<Dim>> &impulses, double density, FaceForcing<Dim> &forcing) const { spread({{impulses, forcing}}, density); }
+  void spread(std::span<const Vec<Dim>> impulses, double density, FaceForcing<Dim> &forcing) const { spread({{impulses, forcing}}, density); }
 
   /// The same for values in the cells, at the positions of the last `place_in_cells`.
-  virtual void place_in_cells(const std::vector<Vec<Dim>> &positions) = 0;
+  virtual void place_in_cells(std::span<const Vec<Dim>> positions) = 0;
   virtual void interpolate(const Field<Dim> &cells, std::vector<double> &values) const = 0;
   /// Adds to each cell w_l a_l / h^Dim.
   virtual void spread(const std::vector<double> &amounts, Field<Dim> &cells) const = 0;

@@ -20,7 +20,7 @@ namespace swellflow {
 namespace {
 
 constexpr char magic[16] = "swellflow state";
-constexpr std::int64_t format = 1;
+constexpr std::int64_t format = 2;
 
 /// The last bytes of a file; the checksum is of all that comes before it.
 struct EndMark {

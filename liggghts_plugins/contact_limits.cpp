@@ -77,17 +77,17 @@ class PartnerSearch {
       const Fix &fix = *lmp_->modify->fix[k];
       if (!(atom_.mask[i] & fix.groupbit)) continue;
       if (point && dynamic_cast<const FixRigidCds *>(&fix)) return whole_mass(point, i) / contacts_of_an_object;
-      if (solves_springs(fix) || takes_springs_as_forces(fix)) return atom_.rmass[i] + (point ? share_of_fluid(point) : 0.0);
+      if (solves_springs(fix) || takes_springs_as_forces(fix)) return atom_.rmass[i] + (point ? share_of_fluid(point, i) : 0.0);
     }
     return infinity;
   }
-  double whole_mass(const double *point, int i) const { return point[FixObjects::OBJECT_MASS] * atom_.rmass[i] / point[FixObjects::MASS]; }
+  double whole_mass(const double *point, int i) const { return point[FixObjects::OBJECT_MASS] * atom_.rmass[i] / objects_->sizes()[i][FixObjects::MASS]; }
 
   /// Half of kappa times the DEM step: drag that is taken implicitly, as it is in (1 - K dt^2/4) m > -kappa dt/2, counts as so much mass. For the kernels' usual scale, 1/2.
-  double share_of_fluid(const double *point) const
+  double share_of_fluid(const double *point, int i) const
   {
     if (!fluid_ || point[FixObjects::INDEX] < 0.0) return 0.0;
-    return fluid_->density() * point[FixObjects::LAMBDA] * point[FixObjects::RING_LENGTH] * fluid_->cell() / fluid_->dem_steps_per_step();
+    return fluid_->density() * objects_->sizes()[i][FixObjects::LAMBDA] * point[FixObjects::RING_LENGTH] * fluid_->cell() / fluid_->dem_steps_per_step();
   }
 
   LAMMPS *lmp_;

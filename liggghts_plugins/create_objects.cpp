@@ -112,14 +112,14 @@ void CreateObjects::create_point(int object, int index, int tag, int molecule)
 
 void CreateObjects::describe_points(int first) const
 {
-  double **points = find_objects(lmp)->points();
+  const FixObjects &known = *find_objects(lmp);
   for (std::size_t k = 0; k < own_points_.size(); k++) {
     const auto &[object, index] = own_points_[k];
     const swellflow::NewObject &made = objects_[object];
     const swellflow::Shape &shape = *made.shape;
     const swellflow::Shape::RingPoint *on_ring = index < 0 ? nullptr : &shape.ring[index];
     const int i = first + static_cast<int>(k);
-    double *point = points[i];
+    double *point = known.points()[i], *size = known.sizes()[i];
     point[FixObjects::RING_POINTS] = static_cast<double>(shape.ring.size());
     point[FixObjects::INDEX] = index;
     point[FixObjects::DIAMETER] = made.diameter;
@@ -132,11 +132,11 @@ void CreateObjects::describe_points(int first) const
     point[FixObjects::REST_X] = rest.x();
     point[FixObjects::REST_Y] = rest.y();
     point[FixObjects::OUTLINE_OFFSET] = on_ring ? made.diameter * on_ring->outline_offset : 0.0;
-    point[FixObjects::CDS_RADIUS] = atom->radius[i];
+    size[FixObjects::CDS_RADIUS] = atom->radius[i];
     point[FixObjects::HAS_CDS] = on_ring ? on_ring->has_cds : shape.hub_has_cds;
-    point[FixObjects::MASS] = atom->rmass[i];
+    size[FixObjects::MASS] = atom->rmass[i];
     point[FixObjects::OBJECT_MASS] = shape.mass(made.diameter, made.density);
-    point[FixObjects::LAMBDA] = 1.0;
+    size[FixObjects::LAMBDA] = 1.0;
   }
 }
 

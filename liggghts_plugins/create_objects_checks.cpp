@@ -141,7 +141,7 @@ std::vector<ExistingObject> CreateObjects::existing_objects() const
       if (!objects->is_point(i)) continue;
       double x[3];
       domain->unmap(atom->x[i], atom->image[i], x);
-      const double *point = objects->points()[i], lambda = point[FixObjects::LAMBDA];
+      const double *point = objects->points()[i], lambda = objects->sizes()[i][FixObjects::LAMBDA];
       own.push_back({objects->tag_of_hub(i), static_cast<int>(point[FixObjects::INDEX]), static_cast<int>(point[FixObjects::RING_POINTS]), x[0], x[1],
                      lambda * point[FixObjects::OUTLINE_OFFSET], lambda * lambda * point[FixObjects::NATURAL_AREA],
                      point[FixObjects::HAS_CDS] ? atom->radius[i] - lambda * point[FixObjects::OUTLINE_OFFSET] : 0.0});

@@ -74,19 +74,19 @@ void FixFluidIb::require_integrators()
 {
   const FixObjects *known = find_objects(lmp);
   if (!known) return;
-  int missing = 0, free = 0;
+  int moving = 0, moving_freely = 0;  // bits of the groups whose fixes move points
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix &fix = *modify->fix[k];
+    if (!knows_fluid_law(fix)) continue;
+    moving |= fix.groupbit;
+    if (solves_springs(fix) || takes_springs_as_forces(fix)) moving_freely |= fix.groupbit;
+  }
+  int here[2] = {0, 0}, anywhere[2];  // some point is not moved; some is moved freely
   for (int i = 0; i < atom->nlocal; i++) {
     if (!known->is_point(i)) continue;
-    bool moved = false;
-    for (int k = 0; k < modify->nfix; k++) {
-      const Fix *fix = modify->fix[k];
-      if (!knows_fluid_law(*fix) || !(atom->mask[i] & fix->groupbit)) continue;
-      moved = true;
-      if (solves_springs(*fix) || takes_springs_as_forces(*fix)) free = 1;
-    }
-    if (!moved) missing = 1;
+    here[0] |= !(atom->mask[i] & moving);
+    here[1] |= (atom->mask[i] & moving_freely) != 0;
   }
-  int here[2] = {missing, free}, anywhere[2];
   MPI_Allreduce(here, anywhere, 2, MPI_INT, MPI_MAX, world);
   if (anywhere[1] && script_->options().forcing == ForcingScheme::implicit)
     error->fix_error(FLERR, this, "implicit forcing needs objects that do not move freely, since these receive its force a step late and swing up, but some are moved by "

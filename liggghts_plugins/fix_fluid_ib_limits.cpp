@@ -81,8 +81,8 @@ void FixFluidIb::add_limits_of_objects(std::vector<Figure> &figures)
   const FixObjects &known = *find_objects(lmp);
   for (const ObjectPoints &object : known.objects()) {
     if (!known.owns(object)) continue;
-    const double *point = known.points()[object.hub], lambda = point[FixObjects::LAMBDA];
-    const double density = point[FixObjects::OBJECT_MASS] * atom->rmass[object.hub] / point[FixObjects::MASS] / (lambda * lambda * point[FixObjects::NATURAL_AREA]);
+    const double *point = known.points()[object.hub], *size = known.sizes()[object.hub], lambda = size[FixObjects::LAMBDA];
+    const double density = point[FixObjects::OBJECT_MASS] * atom->rmass[object.hub] / size[FixObjects::MASS] / (lambda * lambda * point[FixObjects::NATURAL_AREA]);
     const double values[] = {this->density() / density, density / this->density(), cell() / (lambda * point[FixObjects::DIAMETER]), largest_marker_gap(object)};
     for (int k = 0; k < N_LIMITS; k++) worst[k].meet(values[k], atom->molecule[object.hub]);
   }
@@ -103,8 +103,8 @@ double FixFluidIb::largest_marker_gap(const ObjectPoints &object) const
   const std::vector<Vector2> outline = outline_of(lmp, object);
   double natural = 0.0, actual = 0.0;
   for (std::size_t k = 0; k < outline.size(); k++) {
-    const double *point = known.points()[object.ring[k]];
-    natural = std::max(natural, point[FixObjects::LAMBDA] * point[FixObjects::RING_LENGTH]);
+    const int i = object.ring[k];
+    natural = std::max(natural, known.sizes()[i][FixObjects::LAMBDA] * known.points()[i][FixObjects::RING_LENGTH]);
     actual = std::max(actual, (outline[k] - outline[k > 0 ? k - 1 : outline.size() - 1]).norm());
   }
   const double per_point = std::max(1.0, std::ceil(natural / (script_->options().marker_gap * cell()) - 1e-9));

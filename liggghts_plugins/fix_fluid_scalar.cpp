@@ -196,7 +196,7 @@ void FixFluidScalar::ask_for_uptake()
 void FixFluidScalar::thirst(const ObjectPoints &object)
 {
   const int own = objects_->own_index(object.hub);
-  const double *point = objects_->points()[own], lambda = point[FixObjects::LAMBDA];
+  const double *point = objects_->points()[own], lambda = objects_->sizes()[own][FixObjects::LAMBDA];
   double *hub = points()[own];
   const double area = followed_area(hub[AREA], outline_shape(outline_of(lmp, object)).area, lambda * lambda * point[FixObjects::NATURAL_AREA]);
   hub[OWED] += script_.uptake() * (area - hub[AREA]);

@@ -138,7 +138,7 @@ void FixLubricationCds::measure_discs()
       momentum += atom->rmass[i] * Vector2(atom->v[i][0], atom->v[i][1]);
     });
     discs_[objects_->own_index(object.hub)] = {{from_hub.x() / mass, from_hub.y() / mass}, {momentum.x() / mass, momentum.y() / mass},
-                                               0.5 * point[FixObjects::LAMBDA] * point[FixObjects::DIAMETER],
+                                               0.5 * objects_->sizes()[object.hub][FixObjects::LAMBDA] * point[FixObjects::DIAMETER],
                                                is_moved_as_told(object.hub) ? 0.0 : force->ftm2v / mass};
   }
 }

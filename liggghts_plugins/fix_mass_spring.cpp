@@ -183,14 +183,15 @@ const swellflow::SpringSet &FixMassSpring::natural_springs(const ObjectPoints &o
 void FixMassSpring::find_natural_springs(const ObjectPoints &object, swellflow::SpringSet &springs) const
 {
   using enum FixObjects::Column;
-  double **points = objects_->points();
+  using enum FixObjects::SizeColumn;
+  double **points = objects_->points(), **sizes = objects_->sizes();
   const double *hub = points[object.hub];
   springs.ring.resize(object.n_ring);
   springs.spokes.resize(hub[SPOKES] != 0.0 ? object.n_ring : 0);
   for (int k = 0; k < object.n_ring; k++) {
-    const double *a = points[object.ring[k]], *b = points[object.ring[k + 1 < object.n_ring ? k + 1 : 0]];
-    springs.ring.set(k, law_.natural(a[RING_LENGTH], a[MASS], b[MASS]));
-    if (springs.has_spokes()) springs.spokes.set(k, law_.natural(a[SPOKE_LENGTH], a[MASS], hub[MASS]));
+    const int a = object.ring[k], b = object.ring[k + 1 < object.n_ring ? k + 1 : 0];
+    springs.ring.set(k, law_.natural(points[a][RING_LENGTH], sizes[a][MASS], sizes[b][MASS]));
+    if (springs.has_spokes()) springs.spokes.set(k, law_.natural(points[a][SPOKE_LENGTH], sizes[a][MASS], sizes[object.hub][MASS]));
   }
 }
 
@@ -198,8 +199,8 @@ void FixMassSpring::find_natural_springs(const ObjectPoints &object, swellflow::
 swellflow::SpringScale FixMassSpring::scale_of(const ObjectPoints &object) const
 {
   const int i = object.ring[0];
-  const double *point = objects_->points()[i];
-  return law_.scale(point[FixObjects::LAMBDA], atom->rmass[i] / point[FixObjects::MASS]);
+  const double *size = objects_->sizes()[i];
+  return law_.scale(size[FixObjects::LAMBDA], atom->rmass[i] / size[FixObjects::MASS]);
 }
 
 /* ----------------------------------------------------------------------
@@ -211,37 +212,43 @@ swellflow::SpringScale FixMassSpring::scale_of(const ObjectPoints &object) const
 template <typename F>
 void FixMassSpring::for_each_force(bool with_dashpots, const F &f) const
 {
+  const int n_own = atom->nlocal;
+  const auto visit = [&](int i, int k) {
+    if (const int own = i < n_own ? i : objects_->own_index(i); own >= 0) f(own, k);
+  };
   for (const ObjectPoints &object : objects_->objects()) {
     if (!gives_forces_to(object)) continue;
-    forces_.resize(object.n_ring);
-    const auto point = [&object](int k) { return k < object.n_ring ? object.ring[k] : object.hub; };
-    for (int k = 0; k <= object.n_ring; k++) {
-      forces_.set_place(k, atom->x[point(k)]);
-      if (with_dashpots) forces_.set_velocity(k, atom->v[point(k)]);
-    }
-    forces_.find(natural_springs(object), scale_of(object), with_dashpots);
-    for (int k = 0; k <= object.n_ring; k++)
-      if (const int own = objects_->own_index(point(k)); own >= 0) f(own, k);
+    forces_.gather(object.ring, object.n_ring, object.hub, atom->x[0], with_dashpots ? atom->v[0] : nullptr);
+    forces_.find(natural_springs(object), scale_of(object));
+    for (int k = 0; k < object.n_ring; k++) visit(object.ring[k], k);
+    visit(object.hub, object.n_ring);
   }
 }
 
 /// The dashpots' forces are kept where they are wanted, and added after those of the springs, as a run does that begins with what was kept.
 void FixMassSpring::add_forces(bool with_dashpots)
 {
-  double **f = atom->f, **kept = with_dashpots ? dashpot_->array_atom : nullptr;
-  for_each_force(with_dashpots, [f, kept, this](int i, int k) {
+  double **f = atom->f;
+  if (!with_dashpots) {
+    for_each_force(false, [f, this](int i, int k) {
+      for (int d = 0; d < 2; d++) f[i][d] += forces_.springs(d)[k];
+    });
+    return;
+  }
+  double **kept = dashpot_->array_atom;
+  for_each_force(true, [f, kept, this](int i, int k) {
     for (int d = 0; d < 2; d++) {
-      const double with_springs = f[i][d] + forces_.spring(d, k);
-      f[i][d] = kept ? with_springs + (kept[i][d] = forces_.dashpot(d, k)) : with_springs;
+      kept[i][d] = forces_.dashpots(d)[k];
+      f[i][d] = f[i][d] + forces_.springs(d)[k] + kept[i][d];
     }
   });
-  if (with_dashpots) dashpot_step_ = update->ntimestep;
+  dashpot_step_ = update->ntimestep;
 }
 
 void FixMassSpring::add_given(double *own_xy) const
 {
   for_each_force(false, [own_xy, this](int i, int k) {
-    for (int d = 0; d < 2; d++) own_xy[2 * i + d] += forces_.spring(d, k);
+    for (int d = 0; d < 2; d++) own_xy[2 * i + d] += forces_.springs(d)[k];
   });
   if (!damped() || dashpot_step_ != update->ntimestep) return;
   for (int i = 0; i < atom->nlocal; i++)

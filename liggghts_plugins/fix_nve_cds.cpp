@@ -57,25 +57,26 @@ void FixNveCds::half_step()
   half_step_ = 0.5 * dt_ * force->ftm2v;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
+    // LIGGGHTS' rows lie one behind the other: their addresses need not be fetched.
+    const Motion motion{atom->x[0] + 3 * i, atom->v[0] + 3 * i, atom->f[0] + 3 * i, mass_of(i)};
     if (some_follow && objects->follows_its_ring(i)) {
       if (part == Part::kick_and_drift) drift(i);
     } else if (law && impulse) {
-      half_step_in_fluid<part>(i, mass_of(i), law[i], impulse[i]);
+      half_step_in_fluid<part>(motion, law[0] + i * FluidLaw::N_COLUMNS, impulse[0] + i * FluidImpulse::N_COLUMNS);
     } else {
-      half_step_of<part>(i, mass_of(i));
+      half_step_of<part>(motion);
     }
   }
 }
 
 template <FixNveCds::Part part>
-void FixNveCds::half_step_of(int i, double mass)
+void FixNveCds::half_step_of(const Motion &point) const
 {
-  const double per_mass = half_step_ / mass, dt = dt_, *f = atom->f[i];
-  double *v = atom->v[i], *x = atom->x[i];
+  const double per_mass = half_step_ / point.mass, dt = dt_;
   for (int d = 0; d < 3; d++) {
-    const double v_new = v[d] + per_mass * f[d];
-    v[d] = v_new;
-    if (part == Part::kick_and_drift) x[d] += dt * v_new;
+    const double v_new = point.v[d] + per_mass * point.f[d];
+    point.v[d] = v_new;
+    if (part == Part::kick_and_drift) point.x[d] += dt * v_new;
   }
 }
 
@@ -84,16 +85,15 @@ void FixNveCds::half_step_of(int i, double mass)
 ------------------------------------------------------------------------- */
 
 template <FixNveCds::Part part>
-void FixNveCds::half_step_in_fluid(int i, double mass, const double *law, double *impulse)
+void FixNveCds::half_step_in_fluid(const Motion &point, const double *law, double *impulse) const
 {
-  const double kappa = law[FluidLaw::KAPPA], *a = law + FluidLaw::A_X, *f = atom->f[i];
-  const double half_step = half_step_, dt = dt_, half_dt = 0.5 * dt, per_mass = 1.0 / (mass + half_step * kappa);
-  double *v = atom->v[i], *x = atom->x[i];
+  const double kappa = law[FluidLaw::KAPPA], *a = law + FluidLaw::A_X;
+  const double mass = point.mass, half_step = half_step_, dt = dt_, half_dt = 0.5 * dt, per_mass = 1.0 / (mass + half_step * kappa);
   for (int d = 0; d < 3; d++) {
-    const double a_d = a[d], v_new = (mass * v[d] + half_step * (f[d] + a_d)) * per_mass;
-    v[d] = v_new;
+    const double a_d = a[d], v_new = (mass * point.v[d] + half_step * (point.f[d] + a_d)) * per_mass;
+    point.v[d] = v_new;
     impulse[d] += half_dt * (a_d - kappa * v_new);
-    if (part == Part::kick_and_drift) x[d] += dt * v_new;
+    if (part == Part::kick_and_drift) point.x[d] += dt * v_new;
   }
 }
 

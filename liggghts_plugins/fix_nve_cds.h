@@ -16,9 +16,15 @@ class FixNveCds : public Fix {
 
  private:
   enum class Part { kick, kick_and_drift };
+  /// What a step changes of a point, and by what.
+  struct Motion {
+    double *x, *v;
+    const double *f;
+    double mass;
+  };
   template <Part part> void half_step();
-  template <Part part> void half_step_of(int i, double mass);
-  template <Part part> void half_step_in_fluid(int i, double mass, const double *law, double *impulse);
+  template <Part part> void half_step_of(const Motion &point) const;
+  template <Part part> void half_step_in_fluid(const Motion &point, const double *law, double *impulse) const;
   void drift(int i);
   double mass_of(int i) const;
 

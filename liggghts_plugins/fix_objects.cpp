@@ -13,7 +13,9 @@
 #include "force.h"
 #include "guard.h"
 #include "modify.h"
+#include "per_atom_values.h"
 #include "progress_line.h"
+#include "sort_bins.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -22,7 +24,7 @@ using namespace FixConst;
 /* ---------------------------------------------------------------------- */
 
 FixObjects::FixObjects(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), property_(nullptr), counts_{}, ghost_reach_(0.0), progress_(new ProgressLine(lmp))
+    Fix(lmp, narg, arg), property_(nullptr), sizes_(nullptr), counts_{}, ghost_reach_(0.0), progress_(new ProgressLine(lmp))
 {
   if (strcmp(id, ID) != 0)
     error->fix_error(FLERR, this, "this fix is made by create_objects, under the id 'objects': remove it from the script");
@@ -41,34 +43,56 @@ int FixObjects::setmask()
 
 void FixObjects::post_create()
 {
-  const int found = modify->find_fix(PROPERTY);
-  if (found < 0) {
-    const char *start[] = {PROPERTY, "all", "property/atom", PROPERTY, "vector", "yes", "yes", "no"};
-    std::vector<char *> arguments;
-    for (const char *word : start) arguments.push_back(const_cast<char *>(word));
-    arguments.resize(arguments.size() + N_COLUMNS, const_cast<char *>("0"));
-    modify->add_fix(arguments.size(), arguments.data());
-    // LIGGGHTS would write the zeros again at the first run.
-    modify->fix[modify->find_fix(PROPERTY)]->just_created = 0;
-  }
-  property_ = static_cast<FixPropertyAtom *>(modify->fix[modify->find_fix(PROPERTY)]);
+  const auto find_or_add = [this](const char *name, int columns) {
+    const int found = modify->find_fix(name);
+    if (found >= 0) return static_cast<FixPropertyAtom *>(modify->fix[found]);
+    FixPropertyAtom *values = add_per_atom_values(lmp, name, columns, true);
+    values->just_created = 0;  // LIGGGHTS would write the zeros again at the first run
+    return values;
+  };
+  property_ = find_or_add(PROPERTY, N_COLUMNS);
+  sizes_ = find_or_add(SIZES, N_SIZES);
 }
 
 void FixObjects::init()
 {
-  const int found = modify->find_fix(PROPERTY);
-  if (found < 0)
-    error->fix_error(FLERR, this, "fix 'object_point' holds what the objects are, but is gone: remove 'unfix object_point'");
-  property_ = static_cast<FixPropertyAtom *>(modify->fix[found]);
-  // Without contacts there is no cut-off, and LIGGGHTS cannot choose the bins in which it sorts atoms.
-  if (!force->pair) atom->sortfreq = 0;
+  const auto known = [this](const char *name) {
+    const int found = modify->find_fix(name);
+    if (found < 0) error->fix_error(FLERR, this, (std::string("fix '") + name + "' holds what the objects are, but is gone: remove 'unfix " + name + "'").c_str());
+    return static_cast<FixPropertyAtom *>(modify->fix[found]);
+  };
+  property_ = known(PROPERTY);
+  sizes_ = known(SIZES);
+  choose_sort_bins();
   exclude_points_without_spheres();
   require_ghost_velocities();
+}
+
+/* ----------------------------------------------------------------------
+   LIGGGHTS sorts atoms by bins as small as a sphere, which takes points of
+   an object apart in memory; within a bin they keep their order. With bins
+   of some objects they stay together. Sizes as made: a run that goes on
+   from a restart file chooses the same.
+------------------------------------------------------------------------- */
+
+void FixObjects::choose_sort_bins()
+{
+  // Without contacts there is no cut-off, and LIGGGHTS cannot choose bins at all.
+  if (!force->pair) atom->sortfreq = 0;
+  double &size = sort_bin_size(*atom);
+  if (atom->sortfreq == 0 || size != own_bin_size_) return;  // the script's bins, where it names some
+  constexpr double objects_across = 8.0;
+  double widest = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) widest = std::max(widest, points()[i][DIAMETER]);
+  MPI_Allreduce(MPI_IN_PLACE, &widest, 1, MPI_DOUBLE, MPI_MAX, world);
+  size = own_bin_size_ = objects_across * widest;
 }
 
 /* ---------------------------------------------------------------------- */
 
 double **FixObjects::points() const { return property_->array_atom; }
+
+double **FixObjects::sizes() const { return sizes_->array_atom; }
 
 int FixObjects::own_index(int i) const
 {
@@ -208,6 +232,7 @@ void FixObjects::pre_neighbor()
 {
   // Ghosts are new: LIGGGHTS has not yet told them what they are.
   property_->do_forward_comm();
+  sizes_->do_forward_comm();
   list_objects();
   update_rotations();
 }

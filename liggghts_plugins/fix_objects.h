@@ -23,30 +23,35 @@ class FixObjects : public Fix {
   enum Column {
     RING_POINTS,       // N; 0 marks all other atoms
     INDEX,             // -1 hub, 0 .. N-1 ring, counter-clockwise
-    DIAMETER,          // natural diameter at creation: that of the disc of the same area
-    NATURAL_AREA,      // inside the polygon of the outline, at lambda = 1
-    MEAN_SQUARE_RADIUS,  // of the area of the smooth shape about its centroid, at lambda = 1
     SPOKES,            // 1: springs join ring and hub; 0: the hub only follows the ring's mean
-    SPOKE_LENGTH,      // natural length of the spoke to the hub at lambda = 1, ring points only
-    RING_LENGTH,       // natural length to the next ring point at lambda = 1, ring points only
-    REST_X,            // undeformed position about the centre of mass, at lambda = 1 and as the object was made
-    REST_Y,
     OUTLINE_OFFSET,    // by which the outline lies beyond the ring point, away from the hub, at lambda = 1
-    CDS_RADIUS,        // at lambda = 1
-    HAS_CDS,           // 0: the point takes part in no contact; its radius is a token
-    MASS,              // at lambda = 1
-    OBJECT_MASS,       // of all points of the object together, at lambda = 1
-    LAMBDA,            // natural swelling ratio
+    DIAMETER,          // natural diameter at creation: that of the disc of the same area
     START_DIAMETER,    // natural diameter when the present swelling law began; 0: none has
     START_TIME,        // the clock of its fix then, and the time that the object has lost since then because load slows it down
     RATE_FACTOR,       // of the object's swelling law: its speed over that of the law
     SIZE_FACTOR,       // its growth over that of the law
+    OBJECT_MASS,       // of all points of the object together, at lambda = 1
+    NATURAL_AREA,      // inside the polygon of the outline, at lambda = 1
+    MEAN_SQUARE_RADIUS,  // of the area of the smooth shape about its centroid, at lambda = 1
+    SPOKE_LENGTH,      // natural length of the spoke to the hub at lambda = 1, ring points only
+    RING_LENGTH,       // natural length to the next ring point at lambda = 1, ring points only
+    REST_X,            // undeformed position about the centre of mass, at lambda = 1 and as the object was made
+    REST_Y,
+    HAS_CDS,           // 0: the point takes part in no contact; its radius is a token
     ROTATION,          // angle by which the object has turned since it was made, not wrapped
     N_COLUMNS,
     LONGEST_SIDE = RING_LENGTH  // hubs have that of their outline there, at lambda = 1
   };
+  /// Columns of the per-atom vector `object_size`, which swelling goes through in each DEM step; all are zero for other atoms.
+  enum SizeColumn {
+    LAMBDA,            // natural swelling ratio
+    CDS_RADIUS,        // at lambda = 1
+    MASS,              // at lambda = 1
+    N_SIZES
+  };
   static constexpr const char *ID = "objects";
   static constexpr const char *PROPERTY = "object_point";
+  static constexpr const char *SIZES = "object_size";
   static constexpr const char *GROUP_WITHOUT_CDS = "without_cds";  // all points with HAS_CDS 0
 
   FixObjects(class LAMMPS *, int, char **);
@@ -84,6 +89,7 @@ class FixObjects : public Fix {
   int own_index(int i) const;
   /// The columns above, for own and ghost atoms. May move when atoms migrate: take it anew each step.
   double **points() const;
+  double **sizes() const;
   bool is_point(int i) const { return points()[i][RING_POINTS] > 0.0; }
   /// Whether it is a hub without spokes, which is set to the mean of its ring in every step and must not be integrated.
   bool follows_its_ring(int i) const;
@@ -120,6 +126,7 @@ class FixObjects : public Fix {
   void require_all_points(const Counts &now);
   void require_same_fixes();
 
+  void choose_sort_bins();
   void require_ghost_velocities();
   void hubs_follow();
   void hubs_follow_early();
@@ -143,7 +150,7 @@ class FixObjects : public Fix {
   bool raise_radius_caps();
   void renew_neighbor_lists();
 
-  FixPropertyAtom *property_;
+  FixPropertyAtom *property_, *sizes_;
   std::vector<swellflow::ObjectPoints> objects_;
   std::vector<int> ring_indices_;
   bool excludes_ = false;           // neighbour lists leave out GROUP_WITHOUT_CDS
@@ -154,6 +161,7 @@ class FixObjects : public Fix {
   Counts counts_;                   // on all ranks, when the run or the last reneighbouring began
   std::vector<const Fix *> fixes_;  // when the run began
   std::vector<double> radius_cap_;  // per type, what max_rad returns
+  double own_bin_size_ = 0.0;       // of the bins in which LIGGGHTS sorts atoms, when it was chosen here
   double ghost_reach_;
   double *sent_ = nullptr;          // what is being sent to ghosts, for pack_comm and unpack_comm
   int sent_width_ = 0;

@@ -39,7 +39,7 @@ void FixObjects::exclude_points_without_spheres()
 bool FixObjects::overlap_by_design(int i, int j) const
 {
   if (!is_point(i) || !is_point(j) || tag_of_hub(i) != tag_of_hub(j)) return false;
-  const double *a = points()[i], *b = points()[j], reach = a[CDS_RADIUS] + b[CDS_RADIUS];
+  const double *a = points()[i], *b = points()[j], reach = sizes()[i][CDS_RADIUS] + sizes()[j][CDS_RADIUS];
   const double x = a[REST_X] - b[REST_X], y = a[REST_Y] - b[REST_Y];
   return x * x + y * y < reach * reach;
 }

@@ -213,7 +213,7 @@ const FixPrescribed::Values &FixPrescribed::values()
     for (const ObjectPoints &object : objects_->objects()) {
       if (!objects_->owns(object) || !(atom->mask[object.hub] & groupbit)) continue;
       const double *point = objects_->points()[object.hub];
-      const double lambda = point[FixObjects::LAMBDA], D = lambda * point[FixObjects::DIAMETER], V = 0.25 * std::numbers::pi * D * D;
+      const double lambda = objects_->sizes()[object.hub][FixObjects::LAMBDA], D = lambda * point[FixObjects::DIAMETER], V = 0.25 * std::numbers::pi * D * D;
       sums[3] += V;
       sums[4] += V * lambda * lambda * point[FixObjects::MEAN_SQUARE_RADIUS];
     }

@@ -20,9 +20,10 @@ FixRigidCds::FixRigidCds(LAMMPS *lmp, int narg, char **arg) : FixObjectIntegrato
 void FixRigidCds::move(const swellflow::ObjectPoints &object, swellflow::PointBody &body, const std::vector<swellflow::Vector2> &)
 {
   rest_.resize(body.size());
+  const double lambda = objects()->sizes()[object.hub][FixObjects::LAMBDA];
   for (int n = 0; n < body.size(); n++) {
     const double *point = objects()->points()[n < object.n_ring ? object.ring[n] : object.hub];
-    rest_[n] = point[FixObjects::LAMBDA] * swellflow::Vector2(point[FixObjects::REST_X], point[FixObjects::REST_Y]);
+    rest_[n] = lambda * swellflow::Vector2(point[FixObjects::REST_X], point[FixObjects::REST_Y]);
   }
   swellflow::move_rigidly(body, rest_, update->dt);
 }

@@ -192,23 +192,25 @@ bool FixSwell::grow(int from, int to, bool all)
 {
   if (from == to) return true;
   swellflow::StepClock::Scope timing(objects_->clock(), swellflow::StepClock::swelling);
-  double **points = objects_->points();
+  double **points = objects_->points(), **sizes = objects_->sizes();
   const double t = time();
   const double *like = nullptr;  // the point that `now` is of: neighbours in memory belong to one object, or to objects that began alike
   int molecule = 0;              // of its object
   Natural now{};
   bool all_settled = true;
   for (int i = from; i < to; i++) {
-    double *point = points[i];
-    if (!(atom->mask[i] & groupbit) || point[FixObjects::RING_POINTS] == 0.0) continue;
-    if (!like || (atom->molecule[i] != molecule && !starts_alike(like, point))) now = natural(point, t);
-    like = point;
-    molecule = atom->molecule[i];
+    double *size = sizes[i];
+    if (!(atom->mask[i] & groupbit) || size[FixObjects::LAMBDA] == 0.0) continue;
+    if (!like || atom->molecule[i] != molecule) {
+      if (!like || !starts_alike(like, points[i])) now = natural(points[i], t);
+      like = points[i];
+      molecule = atom->molecule[i];
+    }
     all_settled = all_settled && now.settled;
-    if (!all && now.lambda == point[FixObjects::LAMBDA]) continue;
-    point[FixObjects::LAMBDA] = now.lambda;
-    atom->radius[i] = now.lambda * point[FixObjects::CDS_RADIUS];
-    atom->rmass[i] = now.mass * point[FixObjects::MASS];
+    if (!all && now.lambda == size[FixObjects::LAMBDA]) continue;
+    size[FixObjects::LAMBDA] = now.lambda;
+    atom->radius[i] = now.lambda * size[FixObjects::CDS_RADIUS];
+    atom->rmass[i] = now.mass * size[FixObjects::MASS];
   }
   return all_settled;
 }

@@ -68,7 +68,7 @@ void FixSwell::start_law()
     double *point = objects_->points()[i];
     if (!is_ours(i) || point[FixObjects::START_DIAMETER] > 0.0) continue;
     const int object = atom->molecule[i];
-    const double start = point[FixObjects::LAMBDA] * point[FixObjects::DIAMETER];
+    const double start = objects_->sizes()[i][FixObjects::LAMBDA] * point[FixObjects::DIAMETER];
     point[FixObjects::START_DIAMETER] = start;
     point[FixObjects::START_TIME] = time();
     point[FixObjects::RATE_FACTOR] = swellflow::lognormal_factor(Purpose::swelling_rate, script_.rate_scatter, script_.seed, object);

@@ -52,8 +52,8 @@ double FixSwell::smallest_sphere(const ObjectPoints &object) const
 {
   double smallest = HUGE_VAL;
   for_each_point(object, [&](int i) {
-    const double *point = objects_->points()[i];
-    if (point[FixObjects::HAS_CDS] > 0.0) smallest = std::min(smallest, point[FixObjects::LAMBDA] * point[FixObjects::CDS_RADIUS]);
+    const double *size = objects_->sizes()[i];
+    if (objects_->points()[i][FixObjects::HAS_CDS] > 0.0) smallest = std::min(smallest, size[FixObjects::LAMBDA] * size[FixObjects::CDS_RADIUS]);
   });
   return smallest;
 }
@@ -69,7 +69,7 @@ double FixSwell::growth_beyond_springs(const ObjectPoints &object) const
   for (int k = 0; k < modify->nfix; k++)
     if (const auto *springs = dynamic_cast<const FixMassSpring *>(modify->fix[k])) frequency = std::max(frequency, springs->breathing_frequency(object));
   const double *point = objects_->points()[object.hub];
-  return frequency > 0.0 ? fastest_growth(point, 1.0 / (frequency * update->dt)) / point[FixObjects::LAMBDA] : 0.0;
+  return frequency > 0.0 ? fastest_growth(point, 1.0 / (frequency * update->dt)) / objects_->sizes()[object.hub][FixObjects::LAMBDA] : 0.0;
 }
 
 /* ----------------------------------------------------------------------
@@ -82,7 +82,7 @@ double FixSwell::inner_diameter_at_end(const ObjectPoints &object) const
   double radius = HUGE_VAL;
   for (const swellflow::Vector2 &corner : outline_of(lmp, object)) radius = std::min(radius, corner.norm());
   const double *point = objects_->points()[object.hub];
-  return 2.0 * radius * natural(point, clock_.time(update->laststep)).lambda / point[FixObjects::LAMBDA];
+  return 2.0 * radius * natural(point, clock_.time(update->laststep)).lambda / objects_->sizes()[object.hub][FixObjects::LAMBDA];
 }
 
 void FixSwell::add_limits(std::vector<Figure> &figures)

@@ -56,7 +56,7 @@ void FixSwell::add_pace(SwellingPace &pace) const
   const ContactForces contacts(lmp);
   for (const ObjectPoints &object : objects_->objects()) {
     if (!objects_->owns(object) || !(atom->mask[object.hub] & groupbit)) continue;
-    const double *point = objects_->points()[object.hub], lambda = point[FixObjects::LAMBDA];
+    const double *point = objects_->points()[object.hub], lambda = objects_->sizes()[object.hub][FixObjects::LAMBDA];
     const double area = lambda * lambda * point[FixObjects::NATURAL_AREA];
     pace.add({.closing_speed = std::abs(growth_rate(object)), .diameter = lambda * point[FixObjects::DIAMETER], .area = area,
               .density = mass_ratio(point, lambda) * point[FixObjects::OBJECT_MASS] / area, .pressure = contacts.pressure(object)},

@@ -19,7 +19,7 @@ void FixSwell::add_object(const ObjectPoints &object, double *sums, double *extr
   double distance = 0.0;
   for (const swellflow::Vector2 &vertex : outline) distance += vertex.norm();
   const swellflow::OutlineShape shape = swellflow::outline_shape(outline);
-  const double lambda = point[FixObjects::LAMBDA], area_made = point[FixObjects::NATURAL_AREA];
+  const double lambda = objects_->sizes()[object.hub][FixObjects::LAMBDA], area_made = point[FixObjects::NATURAL_AREA];
   sums[COUNT] += 1.0;
   sums[NATURAL] += lambda * point[FixObjects::DIAMETER];
   sums[HUB_DISTANCE] += 2.0 * distance / object.n_ring;

@@ -46,6 +46,7 @@ struct FluidHome {
 struct FluidState {
   static constexpr const char *NAME = "fluid_state";
   enum Column {
+    // Up to CONTACT_TURN all points of an object have the same.
     KNOWS_BEFORE,      // whether the next four are known; 1 in the first fluid step, 2 afterwards
     VELOCITY_X,        // of the object when the last fluid step began
     VELOCITY_Y,

@@ -73,7 +73,7 @@ class Moment {
   void measure_shape(const ObjectPoints &object, ObjectMeasures &measures) const
   {
     const double *hub = objects_.points()[object.hub];
-    const double lambda = hub[FixObjects::LAMBDA], natural_area = hub[FixObjects::NATURAL_AREA], diameter = hub[FixObjects::DIAMETER];
+    const double lambda = objects_.sizes()[object.hub][FixObjects::LAMBDA], natural_area = hub[FixObjects::NATURAL_AREA], diameter = hub[FixObjects::DIAMETER];
     const std::vector<Vector2> outline = outline_of(lmp_, object);
     const swellflow::OutlineShape shape = swellflow::outline_shape(outline);
     for (int d = 0; d < 2; d++) measures.centroid[d] = atom_.x[object.hub][d] + shape.centroid[d];

@@ -94,7 +94,7 @@ void StateLook::look_at_objects(const FixObjects &objects, Findings &worst) cons
   double **points = objects.points();
   for (const ObjectPoints &object : objects.objects()) {
     if (!objects.owns(object)) continue;
-    const double *point = points[object.hub], lambda = point[FixObjects::LAMBDA];
+    const double *point = points[object.hub], lambda = objects.sizes()[object.hub][FixObjects::LAMBDA];
     const double inverted = -0.5 * twice_area(atom->x, object) / (lambda * lambda * point[FixObjects::NATURAL_AREA]), crushed = inverted * std::max(lambda * lambda, 1.0);
     worst[INVERTED].meet(inverted, atom->molecule[object.hub]);
     worst[CRUSHED].meet(crushed, atom->molecule[object.hub]);
@@ -117,7 +117,7 @@ void StateLook::look_at_speeds(const FixObjects &objects, double step, Findings 
   double **points = objects.points(), largest = 0.0;
   int of = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    const double *v = atom->v[i], *point = points[i], radius = 0.5 * std::max(point[FixObjects::LAMBDA], 1.0) * point[FixObjects::DIAMETER];
+    const double *v = atom->v[i], *point = points[i], radius = 0.5 * std::max(objects.sizes()[i][FixObjects::LAMBDA], 1.0) * point[FixObjects::DIAMETER];
     const double square = v[0] * v[0] + v[1] * v[1];
     if (!(square > largest * radius * radius) || radius == 0.0) continue;
     largest = square / (radius * radius);
@@ -136,7 +136,7 @@ void AreaBalance::begin()
 
 void AreaBalance::add(const FixObjects &objects, const ObjectPoints &object, Sum sum, Sums &sums) const
 {
-  const double *point = objects.points()[object.hub], lambda = point[FixObjects::LAMBDA];
+  const double *point = objects.points()[object.hub], lambda = objects.sizes()[object.hub][FixObjects::LAMBDA];
   sums[sum] += swellflow::polygon_area(outline_of(lmp, object)).area;
   if (sum == DRINK) sums[DRINK_NATURAL] += lambda * lambda * point[FixObjects::NATURAL_AREA];
 }

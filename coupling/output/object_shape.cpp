@@ -25,7 +25,7 @@ Vec3 sum_over_points(const ObjectState &object, const Value &value)
 
 /// LIGGGHTS' arrays for the length of one copy.
 struct Arrays {
-  double **x, *radius, *rmass, **object_point;
+  double **x, *radius, *rmass, **object_point, **object_size;
   int *tag, *molecule;
 
   explicit Arrays(void *lammps)
@@ -33,10 +33,11 @@ struct Arrays {
         radius(static_cast<double *>(lammps_extract_atom(lammps, "radius"))),
         rmass(static_cast<double *>(lammps_extract_atom(lammps, "rmass"))),
         object_point(static_cast<double **>(lammps_extract_fix(lammps, Column::PROPERTY, 1, 2, 0, 0))),
+        object_size(static_cast<double **>(lammps_extract_fix(lammps, Column::SIZES, 1, 2, 0, 0))),
         tag(static_cast<int *>(lammps_extract_atom(lammps, "id"))),
         molecule(static_cast<int *>(lammps_extract_atom(lammps, "molecule")))
   {
-    if (!x || !radius || !rmass || !tag || !molecule || !object_point)
+    if (!x || !radius || !rmass || !tag || !molecule || !object_point || !object_size)
       throw std::runtime_error("objects need atom_style hybrid granular molecular and create_objects, but their per-atom data "
                                "are missing: issue create_objects before fix output/vtk");
   }
@@ -53,7 +54,7 @@ PointState point_state(const Arrays &arrays, const OutputFrame &frame, int i)
   point.mass = arrays.rmass[i];
   const double *column = arrays.object_point[i];
   point.cds_radius = column[Column::HAS_CDS] != 0.0 ? arrays.radius[i] : 0.0;
-  point.outline_offset = column[Column::LAMBDA] * column[Column::OUTLINE_OFFSET];
+  point.outline_offset = arrays.object_size[i][Column::LAMBDA] * column[Column::OUTLINE_OFFSET];
   point.tag = arrays.tag[i];
   return point;
 }
@@ -107,8 +108,8 @@ std::vector<ObjectState> object_states(void *lammps, const OutputFrame &frame)
     ObjectState state;
     const double *hub = arrays.object_point[object.hub];
     state.id = arrays.molecule[object.hub];
-    state.swelling_ratio = hub[Column::LAMBDA];
-    state.natural_diameter = hub[Column::DIAMETER] * hub[Column::LAMBDA];
+    state.swelling_ratio = arrays.object_size[object.hub][Column::LAMBDA];
+    state.natural_diameter = hub[Column::DIAMETER] * state.swelling_ratio;
     state.hub = point_state(arrays, frame, object.hub);
     state.ring.reserve(object.n_ring);
     for (int k = 0; k < object.n_ring; ++k) state.ring.push_back(point_state(arrays, frame, object.ring[k]));

@@ -28,7 +28,8 @@ public:
   void resize(int n)
   {
     size_ = n;
-    for (auto *column : {&length_, &stiffness_, &dashpot_}) column->assign((n + block - 1) / block * block, 0.0);
+    room_ = (n + block - 1) / block * block;
+    columns_.assign(3 * static_cast<std::size_t>(room_), 0.0);
   }
   void assign(int n, const Spring &spring)
   {
@@ -37,19 +38,19 @@ public:
   }
   void set(int k, const Spring &spring)
   {
-    length_[k] = spring.length;
-    stiffness_[k] = spring.stiffness;
-    dashpot_[k] = spring.dashpot;
+    columns_[k] = spring.length;
+    columns_[room_ + k] = spring.stiffness;
+    columns_[2 * room_ + k] = spring.dashpot;
   }
-  Spring operator[](int k) const { return {length_[k], stiffness_[k], dashpot_[k]}; }
+  Spring operator[](int k) const { return {length()[k], stiffness()[k], dashpot()[k]}; }
 
-  const double *length() const { return length_.data(); }
-  const double *stiffness() const { return stiffness_.data(); }
-  const double *dashpot() const { return dashpot_.data(); }
+  const double *length() const { return columns_.data(); }
+  const double *stiffness() const { return columns_.data() + room_; }
+  const double *dashpot() const { return columns_.data() + 2 * room_; }
 
 private:
-  int size_ = 0;
-  std::vector<double> length_, stiffness_, dashpot_;
+  int size_ = 0, room_ = 0;
+  std::vector<double> columns_;  // one after the other
 };
 
 struct SpringSet {

@@ -7,6 +7,7 @@
 #include "liggghts_plugins/objects/implicit_springs.h"
 #include "liggghts_plugins/objects/spring_forces.h"
 
+#include <numeric>
 #include <vector>
 
 using namespace swellflow;
@@ -34,13 +35,17 @@ void springs(benchmark::State &state)
 {
   const auto all = bodies();
   const SpringSet set = swellflow_test::RingObject{.diameter = 0.12, .mass = 17.0, .law = {.stiffness = 1000.0}}.springs();
+  std::vector<double> x;
+  for (const auto &body : all)
+    for (int k = 0; k <= ring_points; ++k) x.insert(x.end(), {body.x[k].x(), body.x[k].y(), 0.0});
+  std::vector<int> ring(ring_points);
+  std::iota(ring.begin(), ring.end(), 0);
   SpringForces forces;
-  forces.resize(ring_points);
   for (auto _ : state) {
-    for (const auto &body : all) {
-      for (int k = 0; k <= ring_points; ++k) forces.set_place(k, body.x[k].data());
-      forces.find(set, {}, false);
-      benchmark::DoNotOptimize(forces.spring(0, ring_points));
+    for (std::size_t o = 0; o < all.size(); ++o) {
+      forces.gather(ring.data(), ring_points, ring_points, &x[3 * o * (ring_points + 1)], nullptr);
+      forces.find(set, {});
+      benchmark::DoNotOptimize(forces.springs(0)[ring_points]);
     }
   }
   per_item(state, "per_spring", 2.0 * ring_points * all.size());

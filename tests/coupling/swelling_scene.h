@@ -52,20 +52,20 @@ inline void expect_natural_diameter(const DryScene &scene, double wanted, double
 {
   const int all = scene.atom()->nlocal + scene.atom()->nghost;
   for (int i = 0; i < all; i++) {
-    const double *point = scene.objects()->points()[i], lambda = point[FixObjects::LAMBDA];
+    const double *point = scene.objects()->points()[i], *size = scene.objects()->sizes()[i], lambda = size[FixObjects::LAMBDA];
     EXPECT_NEAR(lambda * point[FixObjects::DIAMETER], wanted, tolerance);
-    EXPECT_NEAR(scene.atom()->radius[i], lambda * point[FixObjects::CDS_RADIUS], 1e-15);
-    EXPECT_NEAR(scene.atom()->rmass[i], lambda * lambda * point[FixObjects::MASS], 1e-12 * point[FixObjects::MASS]);
+    EXPECT_NEAR(scene.atom()->radius[i], lambda * size[FixObjects::CDS_RADIUS], 1e-15);
+    EXPECT_NEAR(scene.atom()->rmass[i], lambda * lambda * size[FixObjects::MASS], 1e-12 * size[FixObjects::MASS]);
   }
 }
 
 /// A column of an object's points, own and ghosts, which all ranks must agree on bit for bit.
-inline double column_of(const DryScene &scene, int object, FixObjects::Column column)
+inline double same_on_all_points(const DryScene &scene, int object, double **values, int column)
 {
   const double none = std::numeric_limits<double>::infinity();
   double bounds[2] = {none, none};  // smallest, - largest
   for (int i = 0; i < scene.atom()->nlocal + scene.atom()->nghost; i++) {
-    const double value = scene.objects()->points()[i][column];
+    const double value = values[i][column];
     if (scene.atom()->molecule[i] != object) continue;
     bounds[0] = std::min(bounds[0], value);
     bounds[1] = std::min(bounds[1], -value);
@@ -75,9 +75,19 @@ inline double column_of(const DryScene &scene, int object, FixObjects::Column co
   return bounds[0];
 }
 
+inline double column_of(const DryScene &scene, int object, FixObjects::Column column)
+{
+  return same_on_all_points(scene, object, scene.objects()->points(), column);
+}
+
+inline double swelling_ratio(const DryScene &scene, int object)
+{
+  return same_on_all_points(scene, object, scene.objects()->sizes(), FixObjects::LAMBDA);
+}
+
 inline double natural_diameter(const DryScene &scene, int object)
 {
-  return column_of(scene, object, FixObjects::LAMBDA) * column_of(scene, object, FixObjects::DIAMETER);
+  return swelling_ratio(scene, object) * column_of(scene, object, FixObjects::DIAMETER);
 }
 
 }  // namespace swellflow_test

@@ -43,7 +43,7 @@ Outline outline(const DryScene &scene, const DryScene::State &state, int hub_tag
 {
   double offset = 0.0;
   for (int i = 0; i < scene.atom()->nlocal; i++)
-    if (scene.atom()->tag[i] == hub_tag + 1) offset = scene.objects()->points()[i][FixObjects::OUTLINE_OFFSET] * scene.objects()->points()[i][FixObjects::LAMBDA];
+    if (scene.atom()->tag[i] == hub_tag + 1) offset = scene.objects()->points()[i][FixObjects::OUTLINE_OFFSET] * scene.objects()->sizes()[i][FixObjects::LAMBDA];
   MPI_Allreduce(MPI_IN_PLACE, &offset, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
   const auto &hub = state.at(hub_tag);
   Outline outline;

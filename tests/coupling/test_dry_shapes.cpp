@@ -47,17 +47,19 @@ DryScene::State after(int steps, MPI_Comm comm = MPI_COMM_WORLD)
   return scene.state();
 }
 
-/// Of all points on all ranks, by tag: the columns of object_point.
-std::map<int, std::vector<double>> columns(const DryScene &scene)
+/// Of all points on all ranks, by tag: n values of each.
+std::map<int, std::vector<double>> by_tag(const DryScene &scene, double **values, int n)
 {
-  constexpr int n = FixObjects::N_COLUMNS;
   std::vector<double> all((scene.atom()->natoms + 1) * n, 0.0);
-  for (int i = 0; i < scene.atom()->nlocal; i++) std::copy_n(scene.objects()->points()[i], n, &all[scene.atom()->tag[i] * n]);
+  for (int i = 0; i < scene.atom()->nlocal; i++) std::copy_n(values[i], n, &all[scene.atom()->tag[i] * n]);
   MPI_Allreduce(MPI_IN_PLACE, all.data(), all.size(), MPI_DOUBLE, MPI_SUM, scene.lmp()->world);
   std::map<int, std::vector<double>> columns;
   for (int tag = 1; tag <= scene.atom()->natoms; tag++) columns[tag].assign(&all[tag * n], &all[tag * n] + n);
   return columns;
 }
+
+std::map<int, std::vector<double>> columns(const DryScene &scene) { return by_tag(scene, scene.objects()->points(), FixObjects::N_COLUMNS); }
+std::map<int, std::vector<double>> sizes(const DryScene &scene) { return by_tag(scene, scene.objects()->sizes(), FixObjects::N_SIZES); }
 
 /// Entries of the pair style's list on all ranks, those with a point without a sphere apart.
 std::array<int, 2> listed_pairs(const DryScene &scene)
@@ -227,10 +229,11 @@ TEST(DryShapes, PointsWithoutASphereHaveNoNeighbours)
   const auto pairs = listed_pairs(scene);
   EXPECT_GT(pairs[0], 0);
   EXPECT_EQ(pairs[1], 0);
+  const auto size = sizes(scene);
   for (const auto &[tag, point] : columns(scene)) {
     const bool sphere = (tag - 1) % 25 != 0 && ((tag - 1) % 25 - 1) % 3 == 0;
     EXPECT_EQ(point[FixObjects::HAS_CDS], sphere);
-    EXPECT_DOUBLE_EQ(point[FixObjects::CDS_RADIUS], (sphere ? 1.0 : 1e-6) * 0.05 * 0.24);
+    EXPECT_DOUBLE_EQ(size.at(tag)[FixObjects::CDS_RADIUS], (sphere ? 1.0 : 1e-6) * 0.05 * 0.24);
   }
   DryScene all;
   all.box("0 1 0 1", "f f p", "0.05");

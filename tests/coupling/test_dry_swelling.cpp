@@ -107,7 +107,7 @@ TEST(DrySwelling, ObjectsMadeLaterBeginTheirOwnGrowth)
   scene.script("run 1000\ncreate_objects disk 0.2 0.2 diameter 0.1 points 10 density 1500\nrun 1000\n");
   for (int i = 0; i < scene.atom()->nlocal; i++) {
     const double *point = scene.objects()->points()[i];
-    EXPECT_NEAR(point[FixObjects::LAMBDA] * point[FixObjects::DIAMETER], scene.atom()->molecule[i] == 1 ? 0.14 : 0.11, 1e-15);
+    EXPECT_NEAR(scene.objects()->sizes()[i][FixObjects::LAMBDA] * point[FixObjects::DIAMETER], scene.atom()->molecule[i] == 1 ? 0.14 : 0.11, 1e-15);
   }
 }
 

@@ -112,7 +112,7 @@ TEST(DrySwellingClock, TheInertialNumberIsTheClosingSpeedAgainstThePressureOfCon
     LAMMPS_NS::Fix *grow = scene.fix("grow");
     EXPECT_EQ(grow->compute_vector(10), 0.0) << "no contact yet";
     scene.script("run 1700\n");
-    const double p = pressure(scene), lambda = column_of(scene, 1, FixObjects::LAMBDA);
+    const double p = pressure(scene), lambda = swelling_ratio(scene, 1);
     ASSERT_GT(p, 1.0);
     const double rate = load.empty() ? 0.02 : 0.02 * (1 - p / 10);
     const double density = column_of(scene, 1, FixObjects::OBJECT_MASS) / column_of(scene, 1, FixObjects::NATURAL_AREA);

@@ -180,7 +180,7 @@ TEST(DrySwellingMass, DrinkingAddsTheWaterOfTheGrownArea)
   EXPECT_NEAR(total_mass(scene), 1500 * area + 1000 * 3 * area, 1e-9 * area * 1500);
   for (const auto &[tag, state] : scene.state()) EXPECT_NEAR(state[5] / before.at(tag)[5], 3.0, 1e-12) << "each point has its share, atom " << tag;
   for (int i = scene.atom()->nlocal; i < scene.atom()->nlocal + scene.atom()->nghost; i++)
-    EXPECT_DOUBLE_EQ(scene.atom()->rmass[i], 3.0 * scene.objects()->points()[i][FixObjects::MASS]) << "images too";
+    EXPECT_DOUBLE_EQ(scene.atom()->rmass[i], 3.0 * scene.objects()->sizes()[i][FixObjects::MASS]) << "images too";
 }
 
 TEST(DrySwellingMass, DrinkingMatterOfTheSameDensityKeepsTheDensity)

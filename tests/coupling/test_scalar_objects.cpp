@@ -52,7 +52,7 @@ struct Objects {
     for (const auto &object : scene.objects()->objects()) {
       if (!scene.objects()->owns(object)) continue;
       const int hub = scene.objects()->own_index(object.hub);
-      const double *point = scene.objects()->points()[hub], lambda = point[FixObjects::LAMBDA];
+      const double *point = scene.objects()->points()[hub], lambda = scene.objects()->sizes()[hub][FixObjects::LAMBDA];
       sums[0] += scalar.uptake(hub);
       sums[1] += (lambda * lambda - 1.0) * point[FixObjects::NATURAL_AREA];
     }

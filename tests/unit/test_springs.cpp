@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "liggghts_plugins/objects/spring_forces.h"
@@ -212,21 +213,25 @@ TEST(Springs, AllForcesOfAnObjectAreThoseOfItsSprings)
       for (int i = 0; i < body.size(); ++i) body.x[i] += body.v[i];
       body.x[1] = body.x[0];
       const SpringScale scale{.length = 1.2, .stiffness = 0.5, .dashpot = 0.7};
-      found.resize(N);
+      const Vector2 none(1e3, 0.0);  // a hub without spokes: wherever it is
+      std::vector<double> x, v;
       for (int k = 0; k <= N; ++k) {
-        const Vector2 none(1e3, 0.0);  // a hub without spokes: wherever it is
-        found.set_place(k, (k < body.size() ? body.x[k] : none).data());
-        found.set_velocity(k, (k < body.size() ? body.v[k] : none).data());
+        const Vector2 at = k < body.size() ? body.x[k] : none, velocity = k < body.size() ? body.v[k] : none;
+        x.insert(x.end(), {at.x(), at.y(), 0.0});
+        v.insert(v.end(), {velocity.x(), velocity.y(), 0.0});
       }
-      found.find(object.springs(), scale, true);
+      std::vector<int> ring(N);
+      std::iota(ring.begin(), ring.end(), 0);
+      found.gather(ring.data(), N, N, x.data(), v.data());
+      found.find(object.springs(), scale);
       SpringSet scaled = object.springs();
       for (auto *springs : {&scaled.ring, &scaled.spokes})
         for (int k = 0; k < springs->size(); ++k) springs->set(k, scale * (*springs)[k]);
       const std::vector<Vector2> F = forces(body.x, scaled), D = dashpot_forces(body, scaled);
       for (int k = 0; k <= N; ++k)
         for (int d = 0; d < 2; ++d) {
-          EXPECT_NEAR(found.spring(d, k), k < body.size() ? F[k][d] : 0.0, 1e-12) << N << " points, point " << k;
-          EXPECT_NEAR(found.dashpot(d, k), k < body.size() ? D[k][d] : 0.0, 1e-12) << N << " points, point " << k;
+          EXPECT_NEAR(found.springs(d)[k], k < body.size() ? F[k][d] : 0.0, 1e-12) << N << " points, point " << k;
+          EXPECT_NEAR(found.dashpots(d)[k], k < body.size() ? D[k][d] : 0.0, 1e-12) << N << " points, point " << k;
         }
     }
 }
