@@ -80,7 +80,7 @@ void FixObjects::choose_sort_bins()
   // Without contacts there is no cut-off, and LIGGGHTS cannot choose bins at all.
   if (!force->pair) atom->sortfreq = 0;
   double &size = sort_bin_size(*atom);
-  if (atom->sortfreq == 0 || size != own_bin_size_) return;  // the script's bins, where it names some
+  if (size != own_bin_size_) return;  // the script's bins, where it names some
   constexpr double objects_across = 8.0;
   double widest = 0.0;
   for (int i = 0; i < atom->nlocal; i++) widest = std::max(widest, points()[i][DIAMETER]);
