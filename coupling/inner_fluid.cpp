@@ -25,14 +25,23 @@ template <class Visit> void for_each_own_bearing(const ObjectPoints &object, con
   });
 }
 
-/// The running mean of the contacts' forces and torque over some two fluid steps, kept in the points' state: what can be trusted to go on, however long the fluid's step is against the
-/// time of a contact.
+/// Fluid steps on end from which on a contact begins to count as one that lasts, and from which on it does so as a whole; none of them with less than this share of the running mean.
+constexpr double begins_to_last = 5.0, lasts = 15.0, least_share = 0.5;
+
+/// What can be trusted to go on of the contacts' forces and torque, kept in the points' state: the running mean over some two fluid steps where it has lasted. What bounces does not, however
+/// long the fluid's step is against the time of a contact.
 Eigen::Vector3d lasting_contact(const ObjectPoints &object, const DemEngine &points, const Eigen::Vector3d &now)
 {
   Eigen::Vector3d result = Eigen::Vector3d::Zero();
   for_each_own_bearing(object, points, [&](int own, int) {
-    double *mean = points.state[own] + FluidState::CONTACT_X;
-    for (int c = 0; c < 3; ++c) result[c] = mean[c] += 0.5 * (now[c] - mean[c]);
+    double *mean = points.state[own] + FluidState::CONTACT_X, &steps = points.state[own][FluidState::CONTACT_STEPS];
+    const double square = mean[0] * mean[0] + mean[1] * mean[1];
+    steps = square > 0.0 && now[0] * mean[0] + now[1] * mean[1] >= least_share * square ? std::min(steps + 1.0, lasts) : 0.0;
+    const double share = std::max(0.0, (steps - begins_to_last) / (lasts - begins_to_last));
+    for (int c = 0; c < 3; ++c) {
+      mean[c] += 0.5 * (now[c] - mean[c]);
+      result[c] = share * mean[c];
+    }
   });
   return result;
 }
