@@ -53,9 +53,10 @@ template <int Dim> double CoupledFluid<Dim>::uniform_pressure(const ObjectPoints
   for (int m = 0; m < object.n_ring * ring_.per_point(); ++m) {
     const double *force = points_.carried[object.ring[ring_.marker(m).point]] + FluidCarried::FORCE_X;
     const Vec<2> side = ring_.side(m);
-    outwards += (force[0] * side[0] + force[1] * side[1]) / std::hypot(side[0], side[1]) / ring_.per_point();
+    const double length = std::hypot(side[0], side[1]);
+    if (length > 0.0) outwards += (force[0] * side[0] + force[1] * side[1]) / length / ring_.per_point();
   }
-  return outwards / ring_.perimeter();
+  return ring_.perimeter() > 0.0 ? outwards / ring_.perimeter() : 0.0;
 }
 
 /// What each ring point feels of the forces that all markers carry, and, last, the hub.
@@ -126,7 +127,7 @@ template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &obje
   for (int m = k * per_point; m < k * per_point + account.n_carrying; ++m) {
     marker_gap_ = std::max(marker_gap_, ring_.gap(m) / flow_.grid().h);
     VecD impulse = ring_.side(m);
-    for (int d = 0; d < Dim; ++d) impulse[d] = (account.carried[d] / per_point - uniform_pressure_ * impulse[d]) * dt_;
+    for (int d = 0; d < Dim; ++d) impulse[d] = account.carried[d] * dt_ / per_point - uniform_pressure_ * impulse[d] * dt_;
     send_marker(ring_.marker(m), ring_.spacing(m), impulse, own, inward_rate);
   }
   for (const auto &marker : ring_.inner(k)) send_marker(marker, marker.spacing, {}, own, inward_rate);

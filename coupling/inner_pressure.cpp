@@ -60,9 +60,9 @@ template <class Visit> void for_each_own(const ObjectPoints &object, const DemEn
 }
 
 /// The fluid inside follows the outline as far as that goes towards the natural area, and no faster than that may grow.
-double allowed_area(const double *state, double area)
+double allowed_area(double inside, double change_of_inside, double area)
 {
-  const double inside = state[FluidState::AREA_INSIDE], change = state[FluidState::AREA_CHANGE] * inside;
+  const double change = change_of_inside * inside;
   return inside + std::clamp(area - inside, std::min(0.0, change), std::max(0.0, change));
 }
 
@@ -80,13 +80,14 @@ void InnerPressure::follow(const ObjectPoints &object, const Ring &ring, bool fi
   for_each_own(object, points, [&](int own, int) {
     double *state = points.state[own], *home = points.home[own];
     home[FluidHome::PRESSURE_X] = home[FluidHome::PRESSURE_Y] = 0.0;
-    if ((state[FluidState::PRESSED] = share) == 0.0) {
+    if ((home[FluidHome::PRESSED] = share) == 0.0) {
       state[FluidState::AREA_INSIDE] = state[FluidState::AREA_BEYOND] = 0.0;
       return;
     }
-    state[FluidState::AREA_CHANGE] = ring.natural_change;
-    state[FluidState::AREA_PER_POINTS] = ring.area / of_points;
-    state[FluidState::AREA_INSIDE] = state[FluidState::AREA_INSIDE] > 0.0 ? allowed_area(state, ring.area) : ring.area;
+    home[FluidHome::AREA_CHANGE] = ring.natural_change;
+    home[FluidHome::AREA_PER_POINTS] = ring.area / of_points;
+    double &inside = state[FluidState::AREA_INSIDE];
+    inside = inside > 0.0 ? allowed_area(inside, ring.natural_change, ring.area) : ring.area;
   });
 }
 
@@ -97,14 +98,14 @@ void InnerPressure::press(const ObjectPoints &object, int dem_step, const DemEng
   const double left = 1.0 - static_cast<double>(dem_step) / dem_steps_;
   for_each_own(object, points, [&](int own, int k) {
     double *state = points.state[own], *home = points.home[own];
-    if (state[FluidState::PRESSED] == 0.0) return;
+    if (home[FluidHome::PRESSED] == 0.0) return;
     if (per_ease == 0.0) {
       now = points_area(object, points);
       per_ease = now / (tau_ * tau_ * ease(object, points));
     }
-    const double area = state[FluidState::AREA_PER_POINTS] * now;
-    const double beyond = area / (dem_step == 0 ? state[FluidState::AREA_INSIDE] : allowed_area(state, area)) - 1.0;
-    const double pressure = -state[FluidState::PRESSED] * (of_rate * (beyond - state[FluidState::AREA_BEYOND]) + of_area * beyond) * per_ease;
+    const double area = home[FluidHome::AREA_PER_POINTS] * now, inside = state[FluidState::AREA_INSIDE];
+    const double beyond = area / (dem_step == 0 ? inside : allowed_area(inside, home[FluidHome::AREA_CHANGE], area)) - 1.0;
+    const double pressure = -home[FluidHome::PRESSED] * (of_rate * (beyond - state[FluidState::AREA_BEYOND]) + of_area * beyond) * per_ease;
     state[FluidState::AREA_BEYOND] = beyond;
     const Vector2 force = pressure * side(object, k, points);
     for (int d = 0; d < 2; ++d) {

@@ -38,8 +38,11 @@ struct FluidHome {
     HOME_SLOT,         // … in this place
     INNER_FORCE_X,     // of the fluid inside, its inertia, its weight and its pressure, in the mean over the step: part of the law
     INNER_FORCE_Y,
-    PRESSURE_X,        // of that the pressure as it is, InnerPressure
+    PRESSURE_X,        // of that the pressure as it is (InnerPressure) …
     PRESSURE_Y,
+    PRESSED,           // … its share f, 0: there is none …
+    AREA_CHANGE,       // … by which the fluid inside may follow the outline in the step, relative …
+    AREA_PER_POINTS,   // … and the area of the outline over that inside the ring points
     N_COLUMNS
   };
 };
@@ -65,11 +68,8 @@ struct FluidState {
     CONTACT_STEPS,     // for how many fluid steps on end it has not been much less
     INNER_AREA,        // of the hub of an object that inflates: what fluid there is inside; 0: not known yet
     FILLED,            // of the same: 1 while markers fill it
-    PRESSED,           // share f of the pressure of the fluid inside (InnerPressure); 0: there is none
-    AREA_INSIDE,       // of the fluid inside then, when the fluid step began; 0: not known
-    AREA_CHANGE,       // by which it may follow the outline in the step, relative
-    AREA_BEYOND,       // by which the outline's was more when the pressure was found last, relative
-    AREA_PER_POINTS,   // of the outline, over that inside the ring points
+    AREA_INSIDE,       // of the fluid inside a heavy ring (InnerPressure) when the fluid step began; 0: not known
+    AREA_BEYOND,       // by which the outline's was more when its pressure was found last, relative
     N_COLUMNS
   };
 };
