@@ -25,8 +25,9 @@ template <class Visit> void for_each_own_bearing(const ObjectPoints &object, con
   });
 }
 
-/// Fluid steps on end from which on a contact begins to count as one that lasts, and from which on it does so as a whole; none of them with less than this share of the running mean.
-constexpr double begins_to_last = 5.0, lasts = 15.0, least_share = 0.5;
+/// Fluid steps on end from which on a contact begins to count as one that lasts, and from which on it does so as a whole; in none of them is the force less than this share of the running
+/// mean, nor that mean less than this share of the force: round-off of forces that sum up to nothing is no contact that goes on when one begins.
+constexpr double begins_to_last = 5.0, lasts = 15.0, least_share = 0.5, least_before = 0.25;
 
 /// What can be trusted to go on of the contacts' forces and torque, kept in the points' state: the running mean over some two fluid steps where it has lasted. What bounces does not, however
 /// long the fluid's step is against the time of a contact.
@@ -35,8 +36,9 @@ Eigen::Vector3d lasting_contact(const ObjectPoints &object, const DemEngine &poi
   Eigen::Vector3d result = Eigen::Vector3d::Zero();
   for_each_own_bearing(object, points, [&](int own, int) {
     double *mean = points.state[own] + FluidState::CONTACT_X, &steps = points.state[own][FluidState::CONTACT_STEPS];
-    const double square = mean[0] * mean[0] + mean[1] * mean[1];
-    steps = square > 0.0 && now[0] * mean[0] + now[1] * mean[1] >= least_share * square ? std::min(steps + 1.0, lasts) : 0.0;
+    const double square = mean[0] * mean[0] + mean[1] * mean[1], now_square = now[0] * now[0] + now[1] * now[1];
+    const bool goes_on = now[0] * mean[0] + now[1] * mean[1] >= least_share * square && square >= least_before * least_before * now_square && square > 0.0;
+    steps = goes_on ? std::min(steps + 1.0, lasts) : 0.0;
     const double share = std::max(0.0, (steps - begins_to_last) / (lasts - begins_to_last));
     for (int c = 0; c < 3; ++c) {
       mean[c] += 0.5 * (now[c] - mean[c]);
