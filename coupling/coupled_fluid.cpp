@@ -75,6 +75,7 @@ template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPo
   loaded_.reset();
   points_.refresh();
   dt_before_ = dt_;
+  dem_steps_ = dem_steps;
   dt_ = dem_steps * points_.time_step();
   this->drive(drive);
   some_inflate_ = some_inflate_ || drive.some_inflate;
@@ -97,8 +98,18 @@ template <int Dim> void CoupledFluid<Dim>::begin_step(const std::vector<ObjectPo
 template <int Dim> void CoupledFluid<Dim>::complete_law(const std::vector<ObjectPoints> &objects, const FluidDrive &drive)
 {
   Stopwatch watch(seconds_in_coupling_);
-  for (std::size_t n = 0; n < objects.size(); ++n)
+  for (std::size_t n = 0; n < objects.size(); ++n) {
     inner_fluid_.return_inertia(objects[n], described_[n].motion, described_[n].filled, drive.gravity, dt_, dt_before_, points_);
+    inner_pressure_.press(objects[n], 0, points_);
+  }
+}
+
+template <int Dim> void CoupledFluid<Dim>::press_again(const std::vector<ObjectPoints> &objects, int dem_step)
+{
+  if (!inner_pressure_.is_due(dem_step)) return;
+  Stopwatch watch(seconds_in_coupling_);
+  points_.refresh();
+  for (const ObjectPoints &object : objects) inner_pressure_.press(object, dem_step, points_);
 }
 
 template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectPoints> &objects)
@@ -118,7 +129,7 @@ template <int Dim> void CoupledFluid<Dim>::finish_step(const std::vector<ObjectP
   last_body_force_ = flow_.body_force();
   note_sides();
   measure_slip();
-  require_finite_flow();
+  agree_on_slip();
 }
 
 template <int Dim> bool CoupledFluid<Dim>::some_markers() const
@@ -151,6 +162,7 @@ template <int Dim> void CoupledFluid<Dim>::describe_markers(const std::vector<Ob
     points_.home[i][FluidHome::HAS_MARKERS] = 0.0;
   }
   described_.clear();
+  inner_pressure_.begin(dt_, dem_steps_);
   for (const ObjectPoints &object : objects) describe_object(object, gravity);
 }
 

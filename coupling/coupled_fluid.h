@@ -6,6 +6,7 @@
 #include "coupling/growth_sources.h"
 #include "coupling/marker_ring.h"
 #include "coupling/inner_fluid.h"
+#include "coupling/inner_pressure.h"
 #include "fluid/flow_rate.h"
 #include "fluid/flow_solver.h"
 #include "fluid/marker_solver.h"
@@ -34,9 +35,11 @@ public:
   int choose_dem_steps(double dem_dt, const FluidDrive &drive) override;
   void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) override;
   void complete_law(const std::vector<ObjectPoints> &objects, const FluidDrive &drive) override;
+  void press_again(const std::vector<ObjectPoints> &objects, int dem_step) override;
   void finish_step(const std::vector<ObjectPoints> &objects) override;
 
   FluidReport report() override;
+  double mean_slip() const override { return mean_slip_; }
   double largest_speed() override { return flow_.max_speed_sum(); }
   FieldBlock field_block() const override;
   std::vector<FieldInfo> fields() const override;
@@ -113,7 +116,10 @@ private:
   template <class Marker> void send_marker(int m, const Marker &marker, double spacing, const VecD &carried_impulse, const double *v_point, double inward_rate);
   void share_carried_force(const ObjectPoints &object);
   void share_owed_impulse(const ObjectPoints &object);
-  void require_finite_flow() const;
+  void agree_on_slip();
+  void require_finite_flow(double not_finite) const;
+  double uniform_pressure(const ObjectPoints &object) const;
+  double natural_rate(const ObjectPoints &object) const;
   double absorption_rate(const ObjectPoints &object) const;
   double chord_rate(double spin) const;
   int markers_per_point(const ObjectPoints &object) const;
@@ -145,11 +151,13 @@ private:
   DemEngine points_;
   MarkerRing ring_;
   InnerFluid inner_fluid_;
+  InnerPressure inner_pressure_;
   Courier to_slabs_, to_homes_, to_sources_;
   FluidOptions options_;
   std::vector<std::unique_ptr<CoupledScalar<Dim>>> scalars_;
   std::unique_ptr<CheckpointReader> loaded_;  // until the first step, for scalars that join
   double dt_ = 0.0, dt_before_ = 0.0;
+  int dem_steps_ = 1;
 
   // On the rank that has the point when the step begins
   std::vector<Described> described_;
@@ -157,6 +165,7 @@ private:
   Leaving leaving_;
   std::vector<VecD> leaving_change_, felt_;
   Arrivals<Answer> answers_here_;
+  double uniform_pressure_ = 0.0;  // of the object that is being described
   // On the rank that has it when the step ends, and what comes to the former
   std::vector<Report> reports_;
   Arrivals<Report> arrived_reports_;
@@ -175,7 +184,7 @@ private:
   // This rank's part of the last whole step: given to the fluid, received by points, owed to them before less after, the sum of these, sum of |J|; slip;
   // largest divergence
   VecD given_{}, received_{}, given_late_{}, owed_balance_{}, balance_{}, last_body_force_{}, given_by_sides_{}, given_by_growth_{};
-  double last_dt_ = 0.0, exchanged_ = 0.0, outflow_ = 0.0, marker_gap_ = 0.0, last_marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, max_divergence_ = 0.0;
+  double last_dt_ = 0.0, exchanged_ = 0.0, outflow_ = 0.0, marker_gap_ = 0.0, last_marker_gap_ = 0.0, slip_sum_ = 0.0, slip_count_ = 0.0, slip_max_ = 0.0, mean_slip_ = 0.0, max_divergence_ = 0.0;
   double seconds_in_fluid_ = 0.0, seconds_in_coupling_ = 0.0;
 };
 

@@ -22,11 +22,14 @@ template <int Dim> void CoupledFluid<Dim>::describe_object(const ObjectPoints &o
   const ObjectMotion motion = motion_of(object, points_, gravity, options_.density);
   ring_.place(object, points_, markers_per_point(object), options_.retraction.value_or(markers_->retraction()) * flow_.grid().h);
   const double h = flow_.grid().h;
-  described_.push_back({motion, inner_fluid_.needs_markers(motion, options_.density * ring_.perimeter() * h / markers_->scale())});
+  const double layer_mass = options_.density * ring_.perimeter() * h / markers_->scale();
+  described_.push_back({motion, inner_fluid_.needs_markers(motion, layer_mass)});
   if (described_.back().filled) ring_.fill(object, points_, h);
+  uniform_pressure_ = described_.back().filled ? uniform_pressure(object) : 0.0;
   share_carried_force(object);
   share_owed_impulse(object);
   open_accounts(object, (object.absorbs ? absorption_rate(object) : -excess_growth(object)) - chord_rate(motion.spin));
+  inner_pressure_.follow(object, {ring_.outline_area(), 2.0 * natural_rate(object) * dt_, layer_mass}, dt_before_ == 0.0, points_);
 }
 
 /// So many that their natural distance is no more than the marker gap that was asked for, where the outline's points are farthest apart.
@@ -39,6 +42,20 @@ template <int Dim> int CoupledFluid<Dim>::markers_per_point(const ObjectPoints &
     throw std::runtime_error("a ring point must have at most " + std::to_string(static_cast<int>(most)) + " markers, but the natural distance of some is " + std::to_string(natural) +
                              ": swell less, use more 'points', or a larger 'marker_gap'");
   return std::max(1, static_cast<int>(wanted));
+}
+
+/// Of what the markers of a light object carry, the mean of the force outwards per length. A fluid that cannot be pressed does not feel it, as the pressure within takes it up; spread by a
+/// kernel it would drive a flow, which is nothing beside heavy points and much beside light ones.
+template <int Dim> double CoupledFluid<Dim>::uniform_pressure(const ObjectPoints &object) const
+{
+  double outwards = 0.0;
+  for (int m = 0; m < object.n_ring * ring_.per_point(); ++m) {
+    const double *force = points_.carried[object.ring[ring_.marker(m).point]] + FluidCarried::FORCE_X;
+    const Vec<2> side = ring_.side(m);
+    const double length = std::hypot(side[0], side[1]);
+    if (length > 0.0) outwards += (force[0] * side[0] + force[1] * side[1]) / length / ring_.per_point();
+  }
+  return ring_.perimeter() > 0.0 ? outwards / ring_.perimeter() : 0.0;
 }
 
 /// What each ring point feels of the forces that all markers carry, and, last, the hub.
@@ -122,15 +139,13 @@ template <int Dim> void CoupledFluid<Dim>::open_account(const ObjectPoints &obje
   const int per_point = ring_.per_point();
   Account account{own, first, markers_of(object, k), k < object.n_ring ? per_point : 0, {}, felt_[k]};
   const double *v = points_.v[own];
-  VecD of_each;
-  for (int d = 0; d < Dim; ++d) {
-    account.carried[d] = points_.carried[own][FluidCarried::FORCE_X + d];
-    of_each[d] = account.carried[d] * dt_ / per_point;
-  }
+  for (int d = 0; d < Dim; ++d) account.carried[d] = points_.carried[own][FluidCarried::FORCE_X + d];
   int m = first;
   for (int r = k * per_point; r < k * per_point + account.n_carrying; ++r) {
     marker_gap_ = std::max(marker_gap_, ring_.gap(r) / flow_.grid().h);
-    send_marker(m++, ring_.marker(r), ring_.spacing(r), of_each, v, inward_rate);
+    VecD impulse = ring_.side(r);
+    for (int d = 0; d < Dim; ++d) impulse[d] = (account.carried[d] / per_point - uniform_pressure_ * impulse[d]) * dt_;
+    send_marker(m++, ring_.marker(r), ring_.spacing(r), impulse, v, inward_rate);
   }
   for (const auto &marker : ring_.inner(k)) send_marker(m++, marker, marker.spacing, {}, v, inward_rate);
   accounts_.push_back(account);
@@ -171,9 +186,8 @@ template <int Dim> int CoupledFluid<Dim>::any_own(const ObjectPoints &object) co
   return own >= 0 ? own : points_.own_index(object.hub);
 }
 
-/// q at which the fluid crosses the outline: as fast as the area inside truly changes, which contact may hold back, but between 0 and the rate of the natural size
-/// plus what makes up for a difference from it. What is beyond, growth or shrinking, the fluid inside resists.
-template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints &object) const
+/// Of the natural size, plus what makes up for a difference from it.
+template <int Dim> double CoupledFluid<Dim>::natural_rate(const ObjectPoints &object) const
 {
   const int own = any_own(object);
   if (own < 0 || points_.state[own][FluidState::KNOWS_BEFORE] == 0.0) return 0.0;
@@ -181,9 +195,15 @@ template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints 
   const double lambda = points_.object_size[own][Topology::LAMBDA], area = ring_.outline_area();
   if (area <= 0.0) return 0.0;
   const double missing = lambda * lambda * point[Topology::NATURAL_AREA] / area - 1.0;
-  const double natural =
-      (lambda - points_.state[own][FluidState::SWELLING]) / (lambda * dt_before_) + 0.5 * missing * made_up_per_step / dt_;
-  return std::clamp(ring_.dilation_rate(), std::min(0.0, natural), std::max(0.0, natural));
+  return (lambda - points_.state[own][FluidState::SWELLING]) / (lambda * dt_before_) + 0.5 * missing * made_up_per_step / dt_;
+}
+
+/// q at which the fluid crosses the outline: as fast as the area inside truly changes, which contact may hold back, but between 0 and the natural rate. What is beyond, growth or shrinking,
+/// the fluid inside resists.
+template <int Dim> double CoupledFluid<Dim>::absorption_rate(const ObjectPoints &object) const
+{
+  const double natural = natural_rate(object);
+  return natural == 0.0 ? 0.0 : std::clamp(ring_.dilation_rate(), std::min(0.0, natural), std::max(0.0, natural));
 }
 
 template class CoupledFluid<2>;

@@ -56,12 +56,19 @@ template <int Dim> void CoupledFluid<Dim>::measure_slip()
   max_divergence_ = flow_.largest_divergence_here();
 }
 
-/// Ends the run on all ranks alike before a flow that has blown up is taken for one that stands still.
-template <int Dim> void CoupledFluid<Dim>::require_finite_flow() const
+/// In one message with whether the flow is finite.
+template <int Dim> void CoupledFluid<Dim>::agree_on_slip()
 {
-  int finite = std::isfinite(max_divergence_);
-  MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, flow_.grid().comm);
-  if (!finite)
+  double sums[] = {std::isfinite(max_divergence_) ? 0.0 : 1.0, slip_sum_, slip_count_};
+  MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, flow_.grid().comm);
+  require_finite_flow(sums[0]);
+  mean_slip_ = sums[2] > 0.0 ? sums[1] / sums[2] : 0.0;
+}
+
+/// Ends the run on all ranks alike before a flow that has blown up is taken for one that stands still. not_finite: on how many ranks.
+template <int Dim> void CoupledFluid<Dim>::require_finite_flow(double not_finite) const
+{
+  if (not_finite > 0.0)
     throw NotFinite("the fluid's velocity must stay finite, but it is not after a fluid step of length " + std::to_string(last_dt_) +
                     ": use a smaller 'timestep' or 'every', 'cfl 0.5', or 'advection bounded' where the grid is too coarse for the flow");
 }

@@ -13,6 +13,10 @@ namespace {
 /// Fluid steps over which a difference between foreseen and true motion is made up for (exponentially).
 constexpr double smoothing_steps = 5.0;
 
+/// Fluid steps on end from which on a contact begins to count as one that lasts, and from which on it does so as a whole; in none of them is the force less than this share of the running
+/// mean, nor that mean less than this share of the force: round-off of forces that sum up to nothing is no contact that goes on when one begins.
+constexpr double begins_to_last = 5.0, lasts = 15.0, least_share = 0.5, least_before = 0.25;
+
 /// By how much of the layer's mass the object may be lighter than the fluid inside; measured in docs/theory.md.
 constexpr double bearable_share = 0.1;
 
@@ -37,6 +41,23 @@ int own_bearer(const ObjectPoints &object, const DemEngine &points)
 bool InnerFluid::needs_markers(const ObjectMotion &motion, double layer_mass) const
 {
   return mass(motion) - motion.mass > bearable_share * layer_mass;
+}
+
+/// What can be trusted to go on of the contacts' forces and torque: the running mean over some two fluid steps where it has lasted. What bounces does not, however long the fluid's step is
+/// against the time of a contact.
+Eigen::Vector3d InnerFluid::lasting_contact(Known &state, const Eigen::Vector3d &now)
+{
+  double *mean = &state[FluidState::CONTACT_X], &steps = state[FluidState::CONTACT_STEPS];
+  const double square = mean[0] * mean[0] + mean[1] * mean[1], now_square = now[0] * now[0] + now[1] * now[1];
+  const bool goes_on = now[0] * mean[0] + now[1] * mean[1] >= least_share * square && square >= least_before * least_before * now_square && square > 0.0;
+  steps = goes_on ? std::min(steps + 1.0, lasts) : 0.0;
+  const double share = std::max(0.0, (steps - begins_to_last) / (lasts - begins_to_last));
+  Eigen::Vector3d result;
+  for (int c = 0; c < 3; ++c) {
+    mean[c] += 0.5 * (now[c] - mean[c]);
+    result[c] = share * mean[c];
+  }
+  return result;
 }
 
 /// When a fluid step begins.
@@ -105,11 +126,7 @@ void InnerFluid::return_inertia(const ObjectPoints &object, const ObjectMotion &
   follow(state, motion, dt_before);
   const bool meets = state[FluidState::KNOWS_BEFORE] == 1.0;
   Drag drag = meets || !has_markers ? drag_of(object, motion, gravity, dt, points) : Drag{};
-  // The running mean of the contacts' forces and torque over some two fluid steps: what can be trusted to go on, however long the fluid's step is against the time of a contact.
-  for (int c = 0; c < 3; ++c) {
-    double &mean = state[FluidState::CONTACT_X + c];
-    drag.contact[c] = mean += 0.5 * (drag.contact[c] - mean);
-  }
+  drag.contact = lasting_contact(state, drag.contact);
   const Eigen::Vector3d foreseen = has_markers ? Eigen::Vector3d::Zero() : foresee(drag, motion, gravity, dt);
   const Eigen::Vector3d at_first = meets ? lacking(drag) : Eigen::Vector3d::Zero();
   double *a = &state[FluidState::RETURNED_X];

@@ -33,8 +33,9 @@ private:
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), contact = Eigen::Vector3d::Zero();
     Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
   };
-  /// What the points of an object know of it, all of them the same: FluidState up to CONTACT_TURN.
-  using Known = std::array<double, FluidState::CONTACT_TURN + 1>;
+  /// What the points of an object know of it, all of them the same: FluidState up to CONTACT_STEPS.
+  using Known = std::array<double, FluidState::CONTACT_STEPS + 1>;
+  static Eigen::Vector3d lasting_contact(Known &state, const Eigen::Vector3d &now);
   static void follow(Known &state, const ObjectMotion &motion, double dt_before);
   double mass(const ObjectMotion &motion) const { return density_ * motion.natural_area; }
   static Drag drag_of(const ObjectPoints &object, const ObjectMotion &motion, const Triple &gravity, double dt, const DemEngine &points);

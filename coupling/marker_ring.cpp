@@ -68,6 +68,12 @@ void MarkerRing::place(const ObjectPoints &object, const DemEngine &points, int 
 
 double MarkerRing::perimeter() const { return std::accumulate(gaps_.begin(), gaps_.end(), 0.0); }
 
+Vec<2> MarkerRing::side(int m) const
+{
+  const Vec<2> &a = markers_[before(m)].x, &b = markers_[after(m)].x;
+  return {0.5 * (b[1] - a[1]), -0.5 * (b[0] - a[0])};
+}
+
 double MarkerRing::dilation_rate() const
 {
   if (area_ <= 0.0) return 0.0;

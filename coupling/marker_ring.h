@@ -45,6 +45,7 @@ public:
   double gap(int m) const { return gaps_[m]; }        ///< distance to the next marker
   double spacing(int m) const { return 0.5 * (gap(m) + gap(before(m))); }
   double perimeter() const;
+  Vec<2> side(int m) const;                              ///< half of the line from the marker before to that behind, turned outwards: their sum vanishes
   const Vec<2> &centroid() const { return centroid_; }   ///< of the area inside the markers
   double area() const { return area_; }                  ///< inside the markers
   double outline_area() const { return outline_area_; }  ///< inside the outline

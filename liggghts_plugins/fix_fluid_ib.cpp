@@ -9,6 +9,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_checkpoint.h"
+#include "fix_mass_spring.h"
 #include "fix_objects.h"
 #include "fix_property_atom.h"
 #include "fix_swell.h"
@@ -133,6 +134,7 @@ void FixFluidIb::setup(int)
 {
   run_end_ = update->laststep;
   worst_ = {};
+  slip_.begin();
   const FixObjects *known = find_objects(lmp);
   if (known) known->require_whole_objects(*this);
   require_same_step();
@@ -143,7 +145,10 @@ void FixFluidIb::setup(int)
 void FixFluidIb::pre_initial_integrate()
 {
   require_same_step();
-  if (first_dem_step()) begin_step();
+  if (first_dem_step())
+    begin_step();
+  else if (has_heavy_objects_)
+    partner_->press_again(objects(), dem_step_);
   if (last_dem_step()) stop_.look();
 }
 
@@ -159,7 +164,9 @@ void FixFluidIb::begin_step()
   note_outer_forces();
   ahead_->do_forward_comm();
   const FluidDrive now = drive();
-  partner_->begin_step(objects(), now, dem_steps_);
+  objects();
+  note_springs();
+  partner_->begin_step(objects_, now, dem_steps_);
   law_->do_forward_comm();
   partner_->complete_law(objects_, now);
 }
@@ -198,6 +205,11 @@ void FixFluidIb::end_of_step()
 
 void FixFluidIb::post_run()
 {
+  constexpr long some_steps = 40;
+  if (whole_steps_ > steps_before_run_) {
+    worst_.add(report(), cell(), largest_speed_of_points());
+    judge_slip(some_steps);
+  }
   if (whole_steps_ > steps_before_run_) phases_.print(partner_->phase_times());
   steps_before_run_ = whole_steps_;
 }
@@ -234,6 +246,25 @@ const std::vector<ObjectPoints> &FixFluidIb::objects()
       if (atom->mask[object.hub] & swell->groupbit) (swell->absorbs() ? object.absorbs : object.inflates) = true;
   }
   return objects_;
+}
+
+/// Of objects that may be heavy for the fluid inside: their mass is beyond ten of a layer of cells at the outline. Collective.
+void FixFluidIb::note_springs()
+{
+  const FixObjects *known = find_objects(lmp);
+  int some = 0;
+  for (std::size_t n = 0; n < objects_.size(); n++) {
+    const int hub = objects_[n].hub;
+    const double *point = known->points()[hub], *size = known->sizes()[hub];
+    const double mass = point[FixObjects::OBJECT_MASS] * atom->rmass[hub] / size[FixObjects::MASS];
+    if (mass < 10.0 * density() * cell() * objects_[n].n_ring * size[FixObjects::LAMBDA] * point[FixObjects::RING_LENGTH]) continue;
+    some = 1;
+    for (int k = 0; k < modify->nfix; k++)
+      if (const auto *springs = dynamic_cast<const FixMassSpring *>(modify->fix[k]))
+        objects_[n].spring_frequency = std::max(objects_[n].spring_frequency, springs->breathing_frequency(known->objects()[n]));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, world);
+  has_heavy_objects_ = some;
 }
 
 /* ---------------------------------------------------------------------- */

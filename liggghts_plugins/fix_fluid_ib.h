@@ -10,6 +10,7 @@
 #include "fluid_script.h"
 #include "limits.h"
 #include "phase_line.h"
+#include "slip_look.h"
 #include "stop_request.h"
 
 namespace LAMMPS_NS {
@@ -63,16 +64,19 @@ class FixFluidIb : public Fix, public swellflow::KnowsFigures {
   swellflow::Figure cfl_figure(double value, const std::string &where) const;
   void add_limits_of_objects(std::vector<swellflow::Figure> &figures);
   bool moves_objects() const;
+  bool moves_only_rigid_objects() const;
   swellflow::Figure viscous_figure(int dem_steps) const;
   double largest_marker_gap(const swellflow::ObjectPoints &object) const;
   double largest_speed_of_points() const;
   void note_accuracy();
+  void judge_slip(long least);
   void make_partner();
   void continue_from_file();
   int up_to_next_stop(int dem_steps) const;
   void begin_step();
   void note_outer_forces();
   const std::vector<swellflow::ObjectPoints> &objects();
+  void note_springs();
   swellflow::FluidDrive drive();
   const swellflow::FluidReport &report();
 
@@ -89,10 +93,12 @@ class FixFluidIb : public Fix, public swellflow::KnowsFigures {
   int dem_step_ = 0;    // within the fluid step; 0: none is under way
   bigint whole_steps_ = 0, steps_before_run_ = 0;
   bool warned_ = false;
-  bool has_free_objects_ = false;
+  bool has_free_objects_ = false, has_only_rigid_objects_ = false;
+  bool has_heavy_objects_ = false;  // in the fluid step under way, on any rank
   swellflow::FluidReport report_;
   bigint reported_step_ = -1;
   swellflow::FluidAccuracy worst_;  // of the run
+  swellflow::SlipLook slip_;        // the same
   bigint run_end_ = -1;  // of the last run that was set up
 };
 

@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "fix_fluid_ib.h"
 #include "fix_objects.h"
+#include "fix_rigid_cds.h"
 #include "guard.h"
 #include "integrators.h"
 #include "modify.h"
@@ -30,6 +31,7 @@ void FixFluidIb::add_limits(std::vector<Figure> &figures)
   if (script_->options().advection != AdvectionScheme::none) add_cfl_limit(figures);
   if (!find_objects(lmp)) return;
   if ((has_free_objects_ = moves_objects())) figures.push_back(viscous_figure(chooses_steps() ? 1 : dem_steps_per_step()));
+  has_only_rigid_objects_ = has_free_objects_ && moves_only_rigid_objects();
   add_limits_of_objects(figures);
 }
 
@@ -65,6 +67,20 @@ bool FixFluidIb::moves_objects() const
   }
   MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, world);
   return some;
+}
+
+/// Those that springs hold together vibrate, and the fluid meets the mean over its step.
+bool FixFluidIb::moves_only_rigid_objects() const
+{
+  const FixObjects &known = *find_objects(lmp);
+  int soft = 0;
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix &fix = *modify->fix[k];
+    if (dynamic_cast<const FixRigidCds *>(&fix) || (!solves_springs(fix) && !takes_springs_as_forces(fix))) continue;
+    for (int i = 0; i < atom->nlocal && !soft; i++) soft = known.is_point(i) && (atom->mask[i] & fix.groupbit);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &soft, 1, MPI_INT, MPI_MAX, world);
+  return !soft;
 }
 
 /// Crank and Nicolson's step lets what is as fine as cells swing on from step to step, the more so the larger this is, and free objects feed it by the force that comes a step late.
@@ -129,10 +145,23 @@ double FixFluidIb::largest_speed_of_points() const
 void FixFluidIb::note_accuracy()
 {
   constexpr int steps_between_reports = 20;
+  constexpr long many_steps = 200;
+  slip_.add(partner_->mean_slip());
   if (whole_steps_ % steps_between_reports != 0) return;
   worst_.add(report(), cell(), largest_speed_of_points());
   if (const Figure now = cfl_figure(report().cfl, "the flow as it is"); now.is_poor() && script_->options().advection != AdvectionScheme::none) judge(lmp, now);
   if (const Figure now = viscous_figure(dem_steps_); now.is_poor() && has_free_objects_) judge(lmp, now);
+  judge_slip(many_steps);
+}
+
+/// What bounces about faster than the fluid can follow is not right however small the momentum that gets lost. `least`: number of such steps from which on it counts.
+void FixFluidIb::judge_slip(long least)
+{
+  slip_.settle(worst_.speed());
+  if (!has_only_rigid_objects_ || slip_.beyond() < least) return;
+  const Figure now{.name = "share of fluid steps in which the slip at the outlines of rigid objects is beyond " + rounded(SlipLook::bound) + " of the largest speed", .value = slip_.share(),
+                   .watch = 0.5, .poor = 0.5, .place = "fix "s + id, .remedy = "use a shorter 'timestep', a smaller 'every', stiffer contacts, or contacts with damping"};
+  if (now.is_poor()) judge(lmp, now);
 }
 
 void FixFluidIb::add_accuracy(std::vector<Figure> &figures)

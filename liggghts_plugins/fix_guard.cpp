@@ -45,7 +45,7 @@ bool writes(const Fix &fix)
 
 }  // namespace
 
-FixGuard::FixGuard(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), state_(lmp), areas_(lmp)
+FixGuard::FixGuard(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), state_(lmp), areas_(lmp), crossing_(lmp)
 {
   if (strcmp(id, ID) != 0) error->fix_error(FLERR, this, "this fix is made with the box, under the id 'guard': remove it from the script, and use the command 'guard'");
   nevery = 1;
@@ -128,7 +128,10 @@ bool FixGuard::is_due() const
 void FixGuard::end_of_step()
 {
   if (!is_due()) return;
-  if (++looks_ % looks_between_areas == 0) follow_areas();
+  if (++looks_ % looks_between_areas == 0) {
+    follow_areas();
+    look_for_crossings();
+  }
   look();
 }
 
@@ -155,6 +158,13 @@ void FixGuard::look()
   if (runaway.value > farthest_way)
     object_fails("a point must stay near enough for others to meet it, but one of " + name_of(runaway.object) + " moves by " + rounded(runaway.value) + " radii of it in a " +
                  (fluid ? "fluid" : "time") + " step at step " + std::to_string(update->ntimestep) + ": use a shorter time step, or softer springs and contacts");
+}
+
+void FixGuard::look_for_crossings()
+{
+  if (const WorstObject found = crossing_.look(); found.object > 0)
+    object_fails("objects must not pass into each other, but the middle of another lies within " + name_of(found.object) + " at step " + std::to_string(update->ntimestep) +
+                 ": use stiffer contacts, a shorter time step, or more 'points'");
 }
 
 void FixGuard::object_fails(const std::string &message)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "crossing_look.h"
 #include "fix.h"
 #include "guard.h"
 #include "limits.h"
@@ -34,6 +35,7 @@ class FixGuard : public Fix, public swellflow::KnowsFigures {
   bool is_due() const;
   void look();
   void follow_areas();
+  void look_for_crossings();
   void object_fails(const std::string &message);
   void warn_once(const swellflow::Figure &figure, double bound);
 
@@ -44,6 +46,7 @@ class FixGuard : public Fix, public swellflow::KnowsFigures {
   std::vector<int> written_every_;    // steps, by the fixes that write
   StateLook state_;
   AreaBalance areas_;
+  CrossingLook crossing_;
   std::vector<std::string> warned_;   // names of figures
   bool warned_of_objects_ = false;
 };

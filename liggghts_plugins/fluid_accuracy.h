@@ -22,6 +22,7 @@ public:
   }
   /// Over the largest speed that any cell or point has had.
   double slip() const { return speed_ > 0.0 ? slip_ / speed_ : 0.0; }
+  double speed() const { return speed_; }
   double divergence() const { return speed_ > 0.0 ? divergence_ / speed_ : 0.0; }
 
   double cfl = 0.0, momentum_error = 0.0, marker_gap = 0.0;

@@ -36,8 +36,13 @@ struct FluidHome {
     HAS_MARKERS,       // 1 when the step has markers of this point …
     HOME_RANK,         // … which this rank keeps account of …
     HOME_SLOT,         // … in this place
-    INNER_FORCE_X,     // of the fluid inside, its inertia and its weight: part of the law
+    INNER_FORCE_X,     // of the fluid inside, its inertia, its weight and its pressure, in the mean over the step: part of the law
     INNER_FORCE_Y,
+    PRESSURE_X,        // of that the pressure as it is (InnerPressure) …
+    PRESSURE_Y,
+    PRESSED,           // … its share f, 0: there is none …
+    AREA_CHANGE,       // … by which the fluid inside may follow the outline in the step, relative …
+    AREA_PER_POINTS,   // … and the area of the outline over that inside the ring points
     N_COLUMNS
   };
 };
@@ -46,7 +51,7 @@ struct FluidHome {
 struct FluidState {
   static constexpr const char *NAME = "fluid_state";
   enum Column {
-    // Up to CONTACT_TURN all points of an object have the same.
+    // Up to CONTACT_STEPS all points of an object have the same.
     KNOWS_BEFORE,      // whether the next four are known; 1 in the first fluid step, 2 afterwards
     VELOCITY_X,        // of the object when the last fluid step began
     VELOCITY_Y,
@@ -61,8 +66,11 @@ struct FluidState {
     CONTACT_X,         // force and torque of its contacts, running mean
     CONTACT_Y,
     CONTACT_TURN,
+    CONTACT_STEPS,     // for how many fluid steps on end it has not been much less
     INNER_AREA,        // of the hub of an object that inflates: what fluid there is inside; 0: not known yet
     FILLED,            // of the same: 1 while markers fill it
+    AREA_INSIDE,       // of the fluid inside a heavy ring (InnerPressure) when the fluid step began; 0: not known
+    AREA_BEYOND,       // by which the outline's was more when its pressure was found last, relative
     N_COLUMNS
   };
 };

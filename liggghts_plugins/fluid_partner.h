@@ -18,6 +18,7 @@ struct ObjectPoints {
   int n_ring;
   bool absorbs = false;  ///< it drinks what it swells by: the fluid crosses its outline at the speed of swelling
   bool inflates = false; ///< it swells and does not drink: it pushes the fluid away
+  double spring_frequency = 0.0;  ///< [1/time] with which springs let its size swing
 };
 
 /// What a side of the box does; the sides are in LIGGGHTS' order xlo, xhi, ylo, yhi, zlo, zhi.
@@ -154,9 +155,12 @@ public:
   virtual void begin_step(const std::vector<ObjectPoints> &objects, const FluidDrive &drive, int dem_steps) = 0;
   /// Then, when ghosts have that law: the fluid inside each object becomes part of it.
   virtual void complete_law(const std::vector<ObjectPoints> &objects, const FluidDrive &drive) = 0;
+  /// Before each later one, of this number from 0 on, where there are heavy objects: what of the law answers to how they have moved in the fluid step.
+  virtual void press_again(const std::vector<ObjectPoints> &, int /*dem_step*/) {}
   /// After the last of them: what the points received goes to the fluid, which is made divergence-free. Throws NotFinite. Collective.
   virtual void finish_step(const std::vector<ObjectPoints> &objects) = 0;
   virtual FluidReport report() = 0;  ///< of the last whole fluid step; collective
+  virtual double mean_slip() const { return 0.0; }  ///< the same as in the report
   /// Of the flow as it is, over the cells: the largest sum of the magnitudes of the components. Collective.
   virtual double largest_speed() = 0;
   /// Another field that the fluid carries, which it keeps; whether it goes on as it was in the file that the fluid was loaded from. Collective.

@@ -1,6 +1,6 @@
 """What became of a point, and why; the bounds are what physics gives.
 
-A run that ends and breaks a bound is wrong; where the table of accuracy at its end calls a figure poor, so that a user is told, it counts by itself.
+A run that finishes and breaks a bound is wrong, whatever its own table of accuracy says; what that calls poor is kept beside it.
 """
 
 import re
@@ -12,7 +12,7 @@ import histories
 import points
 import study
 
-RIGHT, REFUSED, ENDED, POOR, WRONG = ENDINGS = ("right", "refused", "ended", "poor", "wrong")
+RIGHT, REFUSED, ENDED, WRONG = ENDINGS = ("right", "refused", "ended", "wrong")
 ROUND_OFF = 1e-9     # of what must vanish, over its largest part
 SLIP = 0.05          # mean slip at the markers, beyond vibrations, over the speed of discs, fluid and growth, median over time: in collisions, and when growth begins, it is more
 AREA = 0.05          # of a disc's area or natural area
@@ -269,9 +269,8 @@ def measure(outcome, scene):
         return failure(outcome)
     motion = Motion(outcome, scene)
     broken = [(name, value, bound) for name, value, bound in findings(scene, motion) if not value <= bound]
-    figures = poor_figures(outcome.folder / "log.liggghts")
-    ending = RIGHT if not broken else POOR if figures else WRONG
-    return {"ending": ending, "why": "; ".join(f"{name} {value:.3g}, at most {bound:.3g}" for name, value, bound in broken), "poor": "; ".join(figures)}
+    why = "; ".join(f"{name} {value:.3g}, at most {bound:.3g}" for name, value, bound in broken)
+    return {"ending": WRONG if broken else RIGHT, "why": why, "poor": "; ".join(poor_figures(outcome.folder / "log.liggghts"))}
 
 
 def poor_figures(log):

@@ -29,7 +29,7 @@ UNKNOWN = {"explicit": (), "implicit": ("spring_step",), "rigid": ("spring_step"
 DRIVES = {"weight": (), "stream": ("ratio", "growth", "fill")}                            # and in a scene
 SHORT = (("weight", "explicit", {}), ("weight", "rigid", {"density": 0.01, "re": 5000}), ("weight", "implicit", {"ks": 1e10, "points": 8}),
          ("weight", "explicit", {"spring_step": 10}), ("weight", "rigid", {"fill": 0.95}), ("weight", "implicit", {"ratio": 0.5, "growth": 1}),
-         ("weight", "implicit", {"ks": 1, "fill": 0.95}), ("weight", "rigid", {"step": 10, "across": 4}), ("stream", "explicit", {}),
+         ("stream", "explicit", {"density": 1000, "kn": 10}), ("weight", "rigid", {"across": 50, "step": 10}), ("stream", "explicit", {}),
          ("stream", "rigid", {"density": 1000, "re": 0.01}), ("stream", "implicit", {"density": 0.01, "re": 5000}), ("stream", "explicit", {"kn": 10, "points": 200}))
 
 RING = 0.4                 # radius of the ring of mass points: the outline less a contact detection sphere

@@ -2,8 +2,10 @@
 #include <ctime>
 #include <fstream>
 #include <numbers>
+#include <set>
 
 #include "dry_scene.h"
+#include "liggghts_plugins/sort_bins.h"
 
 using namespace swellflow_test;
 using LAMMPS_NS::FixObjects;
@@ -17,7 +19,34 @@ double sum_over_ranks(double value)
   return value;
 }
 
+/// How often the next atom in memory is one of another object, over the number of objects on this rank.
+double breaks_per_object(const LAMMPS_NS::Atom &atom)
+{
+  int breaks = 0;
+  std::set<int> objects;
+  for (int i = 0; i < atom.nlocal; i++) {
+    breaks += i > 0 && atom.molecule[i] != atom.molecule[i - 1];
+    objects.insert(atom.molecule[i]);
+  }
+  return breaks / std::max<double>(1.0, objects.size());
+}
+
 }  // namespace
+
+TEST(CreateObjects, PointsOfAnObjectStayTogetherInMemory)
+{
+  const std::string bed = "create_objects lattice 20 20 origin 0.05 0.05 spacing 0.1 disk diameter 0.095 points 20 density 1000 cds 0.1\nfix move all nve/cds\nrun 1\n";
+  DryScene scene;
+  scene.box("0 2 0 2", "p p p", "0.01", "-0.05 0.05");
+  scene.script(bed);
+  EXPECT_DOUBLE_EQ(LAMMPS_NS::sort_bin_size(*scene.atom()), 8 * 0.095);
+  EXPECT_LT(breaks_per_object(*scene.atom()), 2.0);
+  DryScene by_script;  // whose bins are those that the script names
+  by_script.box("0 2 0 2", "p p p", "0.01", "-0.05 0.05");
+  by_script.script("atom_modify sort 1000 0.02\n" + bed);
+  EXPECT_DOUBLE_EQ(LAMMPS_NS::sort_bin_size(*by_script.atom()), 0.02);
+  EXPECT_GT(breaks_per_object(*by_script.atom()), 4.0);
+}
 
 TEST(CreateObjects, LatticeHoldsTheDisksMassRadiiAndIds)
 {

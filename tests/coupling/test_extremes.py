@@ -1,4 +1,4 @@
-"""The map of the extremes in its short form: points that are right, refused and ended, and a check that finds what is wrong, poor, missing or refused too often."""
+"""The map of the extremes in its short form: points that are right, refused and ended, and a check that finds what is wrong, missing or refused too often."""
 
 import unittest
 
@@ -9,8 +9,8 @@ import case_test
 class ShortMap(case_test.CaseTest):
     def test_ends_as_it_should_and_is_judged(self):
         said = self.passes("wrong = 0 of 12 points", "extremes", short=1)
-        self.assertRegex(said, r"\n      right: 7\n      refused: 3\n      ended: 2\n      poor: 0\n")
-        for ending, message in (("wrong", "FAIL  points that are wrong"), ("poor", "FAIL  share of those that are poor"), ("refused", "FAIL  share of those that are right")):
+        self.assertRegex(said, r"\n      right: 7\n      refused: 3\n      ended: 2\n      wrong: 0\n")
+        for ending, message in (("wrong", "FAIL  points that are wrong"), ("refused", "FAIL  share of those that are right")):
             self.fails_with(lambda text, ending=ending: text.replace(",right,", f",{ending},", 3), "points.csv", message)
         self.fails_with(lambda text: text[:text.rstrip().rfind("\n") + 1], "points.csv", "FAIL  points that were not run")
         self.breaks_a_bound()
@@ -25,7 +25,7 @@ class ShortMap(case_test.CaseTest):
         judged = self.call(str(caselib.CASES / "run"), "extremes", "--out", str(self.folder), "-var", "short", "1", "--check")
         self.assertEqual(judged.returncode, 1, judged.stdout + judged.stderr)
         self.assertIn("12 points, 12 of them finished before", judged.stdout)
-        self.assertRegex(judged.stdout, "(wrong|poor): stream_explicit_base: energy over that of the start 1")
+        self.assertRegex(judged.stdout, "wrong: stream_explicit_base: energy over that of the start 1")
 
 
 if __name__ == "__main__":
