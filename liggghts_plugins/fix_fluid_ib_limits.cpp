@@ -158,6 +158,9 @@ void FixFluidIb::note_accuracy()
 void FixFluidIb::judge_slip(long least)
 {
   slip_.settle(worst_.speed());
+  // What rests trembles by round-off or by its contacts, and slips as much as it moves.
+  constexpr double trembling = 0.1;  // cells in a fluid step
+  if (worst_.speed() * dt_ * dem_steps_ < trembling * cell()) return;
   if (!has_only_rigid_objects_ || slip_.beyond() < least) return;
   const Figure now{.name = "share of fluid steps in which the slip at the outlines of rigid objects is beyond " + rounded(SlipLook::bound) + " of the largest speed", .value = slip_.share(),
                    .watch = 0.5, .poor = 0.5, .place = "fix "s + id, .remedy = "use a shorter 'timestep', a smaller 'every', stiffer contacts, or contacts with damping"};
