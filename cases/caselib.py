@@ -61,6 +61,13 @@ class Case:
         pattern = re.compile(r"^\s*variable\s+(\S+)\s+index\s+([^#\n]*)", re.M)
         return {name: default.strip() for name, default in pattern.findall(self.script.read_text())}
 
+    def choices(self, variable):
+        """The words that it may be, where the script jumps to a label that is named after it and its value; else none."""
+        script = self.script.read_text()
+        if f"jump SELF {variable}_${{{variable}}}" not in script:
+            return []
+        return [word for word in re.findall(rf"^\s*label\s+{variable}_(\S+)", script, re.M) if word != "known"]
+
 
 def number(text):
     try:

@@ -30,6 +30,9 @@ class Runner(unittest.TestCase):
         for name in caselib.Case(self.case).declared_variables():
             self.assertIn(name, message)
 
+    def test_a_word_that_the_script_does_not_know(self):
+        self.assertIn("variable 'flow' of case 'channel' must be pressure or force or flow_rate or inflow or couette or film, but is 'walls'", self.refused("channel", "-var", "flow", "walls"))
+
     def test_bad_words(self):
         self.assertIn("--np must be", self.refused(self.case, "--np", "0"))
         self.assertIn("not enough arguments for '-var ks'", self.refused(self.case, "-var", "ks"))
